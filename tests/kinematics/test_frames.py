@@ -53,7 +53,7 @@ def test_each_frame_is_the_previous_one_moved_and_turned_about_its_axis(arm: aft
         assert found["arm.base"][0] == pytest.approx(place) and found["arm.base"][1] == pytest.approx(np.eye(3))
         for name, step, axis, angle in zip(linkage.frames[1:], linkage.steps, linkage.axes, q, strict=True):
             place = place + turn.as_matrix() @ step
-            turn = turn * Rotation.from_rotvec(angle * np.eye(3)[axis - 1])
+            turn = turn * Rotation.from_rotvec(angle * axis)
             assert found[name][0] == pytest.approx(place, abs=1e-12)
             assert found[name][1] == pytest.approx(turn.as_matrix(), abs=1e-12)
 

@@ -7,7 +7,7 @@ import pytest
 
 import aftdeck
 from aftdeck.arrays import Array
-from aftdeck.kinematics.observe import OBSERVED, observe
+from aftdeck.kinematics.observe import SEEN, observe
 from tests.kinematics.poses import legal, turned
 
 
@@ -43,7 +43,7 @@ def test_jacobian_keeps_leading_dimensions(any_arm: aftdeck.Arm) -> None:
 def test_observed_twist_is_the_jacobian_times_the_rates(any_arm: aftdeck.Arm) -> None:
     rng = np.random.default_rng(5)
     for q in legal(any_arm, 5, 200):
-        rates, seen = rng.normal(size=6), np.empty(OBSERVED)
+        rates, seen = rng.normal(size=6), np.empty(SEEN + 3)
         observe(any_arm.model.links, q, rates, seen)
         pose = any_arm.forward(q)
         assert seen[12:18] == pytest.approx(any_arm.jacobian(q) @ rates, abs=1e-12)

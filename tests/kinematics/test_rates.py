@@ -74,7 +74,7 @@ def test_rates_agree_with_the_reports_equations_also_below_the_floor(arm: aftdec
         twist = rng.normal(size=6)
         expected = by_the_report(arm, q, twist, floor)
         got = rmsrat(arm.model.links, sines(arm.model.links, *q), Twist(*twist), floor)
-        assert np.array(got) == pytest.approx(expected, rel=1e-9, abs=1e-9 * np.abs(expected).max())
+        assert np.array(got[:6]) == pytest.approx(expected, rel=1e-9, abs=1e-9 * np.abs(expected).max())
 
 
 @pytest.mark.parametrize("kind", ["shoulder", "elbow", "wrist"])

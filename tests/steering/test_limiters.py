@@ -9,8 +9,8 @@ import pytest
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
-from aftdeck.kinematics.jacobian import Rates, Twist
-from aftdeck.kinematics.linkage import sines
+from aftdeck.kinematics.jacobian import Twist, of_six
+from aftdeck.kinematics.solver import posture
 from aftdeck.steering.layout import (
     ANGLES,
     AS_FLOWN,
@@ -28,6 +28,7 @@ from aftdeck.steering.layout import (
 )
 from aftdeck.steering.limiters import BY_STOP, CAUSES, NEAREST, avclmt, braked, ratlmt
 from aftdeck.steering.rules import rules_of
+from aftdeck.tuples import MOST_JOINTS
 from tests import loaded
 from tests.kinematics.poses import STRAIGHT
 
@@ -78,7 +79,8 @@ def test_approach_ends_at_a_distance_from_a_singularity(degrees: float) -> None:
     state[ANGLES : ANGLES + 6] = q
     assert 0.0 < abs(float(loaded.arm().singularities(q).elbow)) < NEAREST
     towards, away = (
-        ratlmt(rules, state, sines(rules, *q.tolist()), Rates(0.0, 0.0, rate, 0.0, 0.0, 0.0)) for rate in (1e-4, -1e-4)
+        ratlmt(rules, state, posture(rules, of_six(*q.tolist())), of_six(0.0, 0.0, rate, 0.0, 0.0, 0.0))
+        for rate in (1e-4, -1e-4)
     )
     assert (towards.ratio, CAUSES[towards.cause]) == (0.0, "singularity")
     assert away.ratio == 1.0
@@ -130,7 +132,7 @@ def test_ratlmt_keeps_direction_and_rate_limits(rates: tuple[float, ...], where:
     low, high = rules[LOW : LOW + 6], rules[HIGH : HIGH + 6]
     q = low + np.array(where) * (high - low)
     state[ANGLES : ANGLES + 6] = q
-    found = ratlmt(rules, state, sines(rules, *q), Rates(*rates))
+    found = ratlmt(rules, state, posture(rules, of_six(*q)), of_six(*rates))
     assert 0.0 <= found.ratio <= 1.0
     assert (found.cause == 0) == (found.ratio == 1.0 and found.culprit == -1)
     kept = found.ratio * np.array(rates)
@@ -145,10 +147,10 @@ def test_ratlmt_returns_the_ratio_of_the_worst_joint(rates: tuple[float, ...]) -
     rules, state = rules_with(0.02), np.zeros(STATE)
     q = np.radians([0.0, 70.0, -80.0, 10.0, 0.0, 0.0])
     state[ANGLES : ANGLES + 6] = q
-    found = ratlmt(rules, state, sines(rules, *q), Rates(*rates))
+    found = ratlmt(rules, state, posture(rules, of_six(*q)), of_six(*rates))
     assume(CAUSES[found.cause] in ("", "joint rate"))
     worst = np.abs(rates) / np.radians([2.29, 2.29, 3.21, 4.76, 4.76, 4.76])
-    assert found.ratio == pytest.approx(min(1.0, 1.0 / worst.max() if worst.max() > 0 else 1.0))
+    assert found.ratio == pytest.approx(1.0 / max(worst.max(), 1.0))
     if found.cause:
         assert found.culprit == worst.argmax()
 
@@ -160,12 +162,12 @@ def test_ratlmt_past_soft_stop_allows_only_the_way_back(joint: int, past: float,
     q = np.radians([0.0, 70.0, -80.0, 10.0, 0.0, 0.0])
     q[joint] = rules[HIGH + joint] + past if upper else rules[LOW + joint] - past
     state[ANGLES : ANGLES + 6] = q
-    a = sines(rules, *q)
+    a = posture(rules, of_six(*q))
     out = np.zeros(6)
     out[joint] = rate if upper else -rate
-    stopped = ratlmt(rules, state, a, Rates(*out))
+    stopped = ratlmt(rules, state, a, of_six(*out))
     assert stopped.ratio == 0.0
-    back = ratlmt(rules, state, a, Rates(*-out))
+    back = ratlmt(rules, state, a, of_six(*-out))
     assert CAUSES[back.cause] != "soft stop"
     if CAUSES[stopped.cause] == "soft stop":
         assert stopped.culprit == joint
@@ -178,9 +180,9 @@ def test_as_flown_joint_past_soft_stop_stops_all_joints(joint: int, rates: tuple
     q = np.radians([0.0, 70.0, -80.0, 10.0, 0.0, 0.0])
     q[joint] = rules[HIGH + joint] + 0.01
     state[ANGLES : ANGLES + 6] = q
-    assert ratlmt(rules, state, sines(rules, *q), Rates(*rates)) == (0.0, BY_STOP, joint)
+    assert ratlmt(rules, state, posture(rules, of_six(*q)), of_six(*rates)) == (0.0, BY_STOP, joint)
 
 
 def test_layout_indices_do_not_overlap() -> None:
     assert DT < STRICT < AS_FLOWN < SPEED < TURN < SPEED_UP < TURN_UP < RATE
-    assert (ANGLES, RATES) == (0, 6) and math.isclose(rules_with(0.02)[DT], 0.02)
+    assert (ANGLES, RATES) == (0, MOST_JOINTS) and math.isclose(rules_with(0.02)[DT], 0.02)

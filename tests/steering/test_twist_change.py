@@ -7,7 +7,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from aftdeck.kinematics.jacobian import Rates, Twist
+from aftdeck.kinematics.jacobian import Rates, Twist, of_six
 from aftdeck.steering.layout import DT, MEASURED, MOST_UP, SPEED, SPEED_UP, STATE, TURN, TURN_UP
 from aftdeck.steering.rules import rules_of
 from aftdeck.steering.twist_change import in_proportion, rates_between, share_of_change
@@ -15,7 +15,7 @@ from tests import loaded
 
 PROVE = settings(derandomize=True, deadline=None, max_examples=400, database=None)
 twists = st.tuples(*[st.floats(-3.0, 3.0)] * 6).map(lambda t: Twist(*t))
-rates = st.tuples(*[st.floats(-0.2, 0.2)] * 6).map(lambda r: Rates(*r))
+rates = st.tuples(*[st.floats(-0.2, 0.2)] * 6).map(lambda r: of_six(*r))
 
 
 def rules_with(dt: float) -> np.ndarray:
@@ -64,8 +64,8 @@ def test_share_of_a_change_is_the_greatest_within_accelerations(
     now: Rates, before: Rates, after: Rates, dt: float
 ) -> None:
     rules, state = rules_with(dt), np.zeros(STATE)
-    state[MEASURED : MEASURED + 6] = now
-    change = rules[MOST_UP : MOST_UP + 6] * rules[DT]
+    state[MEASURED : MEASURED + len(now)] = now
+    change = rules[MOST_UP : MOST_UP + len(now)] * rules[DT]
     found = share_of_change(rules, state, before, after)
 
     def excess(share: float) -> float:

@@ -10,7 +10,7 @@ from aftdeck.arrays import Array
 from aftdeck.bodies.pose import HERE, pose_of, row_of
 from aftdeck.frames import Pose
 from aftdeck.kinematics.frames import place_frames
-from aftdeck.kinematics.observe import OBSERVED, observe, observe_near
+from aftdeck.kinematics.observe import SEEN, observe, observe_near
 from aftdeck.plant.state import FOLLOWING
 from aftdeck.simulation.constants.flight import FAST, WATCHED
 from aftdeck.simulation.payloads.alignment import alarm_pairs
@@ -112,7 +112,7 @@ def test_arm_is_near_a_limit_beyond_reach_or_close_to_a_singularity(name: str) -
     answers = set()
     for _ in range(300):
         angles = rng.uniform(reach[:, 0] - 0.1, reach[:, 1] + 0.1)
-        rates, seen, plain = rng.normal(size=6), np.empty(OBSERVED), np.empty(OBSERVED)
+        rates, seen, plain = rng.normal(size=6), np.empty(SEEN + 3), np.empty(SEEN + 3)
         near = observe_near(model.links, angles, rates, 0.25, reach, model.singular, seen)
         observe(model.links, angles, rates, plain)
         plain[17] -= 0.25

@@ -8,16 +8,15 @@ from __future__ import annotations
 
 from itertools import pairwise
 
-import numpy as np
-
 from aftdeck.arms.blocks import blocks_of
 from aftdeck.arms.bodies import body_problems
+from aftdeck.arms.chain_check import joint_problems
 from aftdeck.arms.covers import corners, cover_problem
 from aftdeck.arms.dynamics import drive_problems
-from aftdeck.arms.geometry import linkage_of
-from aftdeck.arms.limits import JointRates, Limits, limit_problems
+from aftdeck.arms.geometry import frames_of, linkage_of
+from aftdeck.arms.limits import limit_problems, limits_of, rates_of
 from aftdeck.arms.links import link_problems
-from aftdeck.arms.model import ArmFile, HeadingArmFile, PorRow, YawArmFile
+from aftdeck.arms.model import ArmFile, ChainArmFile, HeadingArmFile, PorRow, YawArmFile
 from aftdeck.bodies.hexahedron_check import hexahedron
 from aftdeck.errors import InputError
 from aftdeck.files import Problem
@@ -32,16 +31,18 @@ LEAST_STEP = 0.001
 def arm_problems(file: ArmFile) -> list[Problem]:
     """Return every problem in a decoded arm file, each with its place in the file."""
     found = body_problems(file) if isinstance(file, HeadingArmFile) else _cover_problems(file)
-    limits = Limits(*(np.array(getattr(file.limits, name).value) for name in Limits._fields))
-    rates = JointRates(*(np.array(getattr(file.rates, name).value) for name in JointRates._fields))
-    found += limit_problems(file.joints, limits, rates)
-    if len(set(file.joints)) < len(file.joints):
-        found.append(Problem(("joints",), f"has to be six different names, got {', '.join(file.joints)}"))
+    if isinstance(file, ChainArmFile):
+        found += joint_problems(file)
+    else:
+        found += limit_problems(file.joints, limits_of(file), rates_of(file))
+        if len(set(file.joints)) < len(file.joints):
+            found.append(Problem(("joints",), f"has to be six different names, got {', '.join(file.joints)}"))
+        found += _mass_problems(file)
     if not found and isinstance(file, HeadingArmFile):
         found = _block_problems(file)
     if isinstance(file, YawArmFile):
         found += link_problems(file)
-    return found + _por_problems(file.por) + _mass_problems(file) + drive_problems(file)
+    return found + _por_problems(file.por) + drive_problems(file)
 
 
 _TABLE_OF = {"stand": "stand", "telescope": "stand", **dict.fromkeys(("palm", "fixed finger", "prong"), "effector")}
@@ -59,8 +60,8 @@ def _block_problems(file: HeadingArmFile) -> list[Problem]:
     return found
 
 
-def _cover_problems(file: YawArmFile) -> list[Problem]:
-    frames = linkage_of(file).frames
+def _cover_problems(file: YawArmFile | ChainArmFile) -> list[Problem]:
+    frames = frames_of(*file.joints) if isinstance(file, ChainArmFile) else linkage_of(file).frames
     found = []
     for i, body in enumerate(file.bodies):
         if body.frame not in frames:
@@ -94,7 +95,7 @@ def _por_problems(rows: tuple[PorRow, ...]) -> list[Problem]:
     return found
 
 
-def _mass_problems(file: ArmFile) -> list[Problem]:
+def _mass_problems(file: YawArmFile | HeadingArmFile) -> list[Problem]:
     parts, published = file.masses.parts.value, file.masses.total.value
     total = sum(getattr(parts, name) for name in parts.__struct_fields__)
     if abs(total - published) <= MASS_TOLERANCE * total:

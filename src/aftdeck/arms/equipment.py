@@ -1,15 +1,14 @@
-"""Equipment of an arm besides its six joints: telescope, prong of the end effector, and axes of the master arm.
+"""Equipment of an arm besides its joints: telescope, prong of the end effector, and axes of the master arm.
 
 Simulation, drawing and checks use this description of the equipment. They need not know the family of the arm.
 """
 
 from __future__ import annotations
 
-from typing import Literal, NamedTuple
+from typing import NamedTuple
 
-from aftdeck.arms.model import ArmFile, HeadingArmFile
-
-Axis = Literal["RHC roll", "RHC pitch", "RHC yaw", "THC X", "THC Y", "THC Z"]
+from aftdeck.arms.joints import StickAxis
+from aftdeck.arms.model import ArmFile, ChainArmFile, HeadingArmFile
 
 
 class Telescope(NamedTuple):
@@ -51,21 +50,23 @@ class Equipment(NamedTuple):
         telescope: telescope under the arm; None if the arm has no telescope.
         prong: prong of the end effector; None if the end effector has snares.
         master: for each joint of the master arm, the axis of the hand controllers that moves the joint. These axes are
-            used if no other device gives the master arm's angles. Each RHC axis moves the wrist joint that rotates
-            about the same axis.
+            used if no other device gives the master arm's angles; None for a joint that no axis moves. In the two
+            families of the reports, each RHC axis moves the wrist joint that rotates about the same axis.
         covered: whether the arm's solids are covers that enclose round parts. If so, neighbouring solids overlap at
             joints.
     """
 
     telescope: Telescope | None
     prong: Prong | None
-    master: tuple[Axis, ...]
+    master: tuple[StickAxis | None, ...]
     covered: bool
 
 
 def equipment_of(file: ArmFile) -> Equipment:
     """Return the equipment of a file's arm."""
-    shoulder_and_elbow: tuple[Axis, ...] = ("THC Y", "THC X", "THC Z")
+    if isinstance(file, ChainArmFile):
+        return Equipment(None, None, tuple(joint.stick for joint in file.joint), covered=True)
+    shoulder_and_elbow: tuple[StickAxis, ...] = ("THC Y", "THC X", "THC Z")
     if not isinstance(file, HeadingArmFile):
         return Equipment(None, None, (*shoulder_and_elbow, "RHC pitch", "RHC yaw", "RHC roll"), covered=True)
     stand, hand = file.stand, file.effector

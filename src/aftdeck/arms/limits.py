@@ -8,6 +8,8 @@ from typing import NamedTuple
 
 import numpy as np
 
+from aftdeck.arms.geometry import frozen
+from aftdeck.arms.model import ArmFile, ChainArmFile
 from aftdeck.arrays import Array
 from aftdeck.files import Problem
 
@@ -40,6 +42,20 @@ class JointRates(NamedTuple):
     coarse: Array
     vernier: Array
     acceleration: Array
+
+
+def limits_of(file: ArmFile) -> Limits:
+    """Return the joint limits of a file's arm."""
+    if isinstance(file, ChainArmFile):
+        return Limits(*(frozen([getattr(joint, name) for joint in file.joint]) for name in Limits._fields))
+    return Limits(*(frozen(getattr(file.limits, name).value) for name in Limits._fields))
+
+
+def rates_of(file: ArmFile) -> JointRates:
+    """Return the rate limits of a file's arm."""
+    if isinstance(file, ChainArmFile):
+        return JointRates(*(frozen([getattr(joint, name) for joint in file.joint]) for name in JointRates._fields))
+    return JointRates(*(frozen(getattr(file.rates, name).value) for name in JointRates._fields))
 
 
 def limit_problems(joints: Sequence[str], limits: Limits, rates: JointRates) -> list[Problem]:

@@ -15,8 +15,8 @@ from aftdeck.arms.check import arm_problems
 from aftdeck.arms.dynamics import Flexibility, Servo, Slides, flexibility_of, servo_of, slides_of
 from aftdeck.arms.equipment import Equipment, equipment_of
 from aftdeck.arms.geometry import PRONG, STAND, Linkage, frozen, linkage_of, raised
-from aftdeck.arms.limits import JointRates, Limits
-from aftdeck.arms.model import ArmFile, PorRow
+from aftdeck.arms.limits import JointRates, Limits, limits_of, rates_of
+from aftdeck.arms.model import ArmFile, ChainArmFile, PorRow
 from aftdeck.arrays import Array
 from aftdeck.errors import ArmError, InputError, ScenarioError
 from aftdeck.files import Text, find_toml, parse, read, sentences
@@ -91,8 +91,13 @@ class ArmModel:
 
     @property
     def links(self) -> Array:
-        """Array (8,) for the laws (`kinematics.linkage`)."""
+        """Array for the laws of the arm's solver (`kinematics.solver`)."""
         return self.linkage.links
+
+    @property
+    def singularities(self) -> tuple[str, ...]:
+        """Names of the singularities that the arm's solver tells apart."""
+        return self.linkage.singularities
 
     @property
     def frames(self) -> tuple[str, ...]:
@@ -221,7 +226,7 @@ def _model(source: Text, shapes: Text | None) -> ArmModel:
         frozen(product(np.diag([-1.0, -1.0, 1.0]), rotation_x(file.mount.lean.value))),
         _panel(file.mount.orbiter_origin.value),
     )
-    rates = JointRates(*(frozen(getattr(file.rates, which).value) for which in JointRates._fields))
+    rates = rates_of(file)
     return ArmModel(
         name=file.name,
         title=file.title,
@@ -231,8 +236,8 @@ def _model(source: Text, shapes: Text | None) -> ArmModel:
         linkage=linkage_of(file),
         equipment=equipment_of(file),
         mount=mount,
-        limits=Limits(*(frozen(getattr(file.limits, which).value) for which in Limits._fields)),
-        singular=file.limits.singular.value,
+        limits=limits_of(file),
+        singular=(file.singular if isinstance(file, ChainArmFile) else file.limits.singular).value,
         rates=rates,
         por=file.por,
         servo=servo_of(file, rates),

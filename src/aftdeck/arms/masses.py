@@ -19,7 +19,7 @@ from aftdeck.arms.dynamics import Flexibility, Servo
 from aftdeck.arms.geometry import STAND
 from aftdeck.arms.links import BOOMS, links_of
 from aftdeck.arms.load import ArmModel
-from aftdeck.arms.model import HeadingArmFile, YawArmFile
+from aftdeck.arms.model import ChainArmFile, HeadingArmFile, YawArmFile
 from aftdeck.arrays import Array
 from aftdeck.bodies.mass_properties import MassProperties, box, cylinder, joined
 from aftdeck.errors import ArmError
@@ -75,6 +75,8 @@ def masses_of(model: ArmModel) -> ArmMasses:
         ArmError: the arm's file lacks the table `links` or `slides`, or a part has no mass.
     """
     file = model.source
+    if isinstance(file, ChainArmFile):
+        return _of_chain(model, file)
     parts = file.masses.parts.value
     if massless := [name for name in parts.__struct_fields__ if getattr(parts, name) <= 0.0]:
         raise ArmError(
@@ -120,6 +122,20 @@ def _lacking(model: ArmModel, table: str) -> ArmError:
     """Return the error for an arm whose file lacks a table that a plant with masses needs."""
     plant = "flexible" if table == "flexibility" else "rigid or flexible"
     return ArmError(f"the arm {model.name!r} cannot have a {plant} plant: its file has no table [{table}]")
+
+
+def _of_chain(model: ArmModel, file: ChainArmFile) -> ArmMasses:
+    if lacking := [joint.name for joint in file.joint if joint.link is None]:
+        raise ArmError(
+            f"the arm {model.name!r} cannot have a rigid or flexible plant: its file has no mass (link) for "
+            f"{', '.join(lacking)}"
+        )
+    links = [joint.link for joint in file.joint if joint.link is not None]
+    bodies = {
+        frame: MassProperties(float(link.mass), np.array(link.centre), np.diag(link.inertia))
+        for frame, link in zip(model.linkage.frames[1:], links, strict=True)
+    }
+    return ArmMasses(bodies, ())
 
 
 def _of_yaw_arm(model: ArmModel, file: YawArmFile) -> ArmMasses:

@@ -1,9 +1,9 @@
 """Contents of an arm file: geometry, limits, rates and masses, each constant with its source.
 
-The field `family` selects one of two families of arms. The family of the Shuttle's arm is described in JSC-12628 (yaw,
-pitch, pitch, pitch, yaw, roll). The family of the concept arm of 1972 is described in the *Remote Manipulator
-Simulation* (heading, pitch, pitch, heading, pitch, roll). Tables that differ between the families, or that only one
-family has, have their own structs.
+The field `family` selects a family of arms. That of the Shuttle's arm is described in JSC-12628 (yaw, pitch, pitch,
+pitch, yaw, roll), that of the concept arm of 1972 in the *Remote Manipulator Simulation* (heading, pitch, pitch,
+heading, pitch, roll). An arm of the family ``chain`` has any other chain of joints. Tables that differ between the
+families, or that only one family has, have their own structs.
 """
 
 from __future__ import annotations
@@ -14,17 +14,16 @@ import msgspec
 
 from aftdeck.arms.constant import Confidence, Constant, Part, Text
 from aftdeck.arms.drives import FlexibilityFile, LinksFile, ServoFile, SlidesFile
+from aftdeck.arms.joints import Distance, JointAcceleration, JointRate, Joints, Place
 from aftdeck.bodies.cover import FEWEST_SIDES
 from aftdeck.bounds import Bounds
 from aftdeck.shapes import Axis
-from aftdeck.units import Angle, AngularAcceleration, AngularRate, Length, Mass, Speed, Time
+from aftdeck.units import Angle, AngularRate, Length, Mass, Speed, Time
 
 _T = TypeVar("_T")
 
 _ARM = 200.0
 _LONG = "the Shuttle's arm is 15 m long, Canadarm2 18 m"
-Distance = Annotated[Length, Bounds(-_ARM, _ARM, _LONG)]
-"""Coordinate on an arm."""
 Size = Annotated[Length, Bounds(0.0005, _ARM, f"{_LONG}, and the parts of the smallest arms measure millimetres")]
 """Length of a link, or size of a part of an arm."""
 Offset = tuple[Size, Distance]
@@ -41,15 +40,6 @@ SixRanges = tuple[
     tuple[Angle, Angle],
     tuple[Angle, Angle],
 ]
-JointRate = Annotated[
-    AngularRate,
-    Bounds(1e-6, 10.0, "the Shuttle's joints turn at 0.001 to 0.09 rad/s, the fastest small arms at about 1 rad/s"),
-]
-"""Limit of a joint's rate."""
-JointAcceleration = Annotated[
-    AngularAcceleration, Bounds(1e-6, 100.0, "a joint reaches its greatest rate in 0.1 s to minutes")
-]
-"""Limit of a joint's acceleration."""
 SixRates = tuple[JointRate, JointRate, JointRate, JointRate, JointRate, JointRate]
 SixAccelerations = tuple[
     JointAcceleration,
@@ -306,5 +296,39 @@ class HeadingArmFile(_AnyArm, frozen=True, kw_only=True, tag="heading-pitch-pitc
     """Drives of telescope and prong; a plant with masses needs them."""
 
 
-ArmFile = YawArmFile | HeadingArmFile
+class ChainArmFile(Part, frozen=True, kw_only=True, tag_field="family", tag="chain"):
+    """Arm with any chain of joints. With all joints at their coordinates 0, the tip's axes are those of L."""
+
+    name: Text
+    title: Text
+    units: Literal["ft-in", "SI"]
+    mount: MountFile
+    joint: Joints
+    tip: Constant[Place]
+    """Vector from the last joint's centre to the tip."""
+    end_effector_roll: Constant[Angle] | None = None
+    """Angle about axis 1 from the tip's axes to the end effector's own axes; 0 without it."""
+    singular: Constant[Threshold]
+    """Distance from a singularity below which the SINGULAR lamp lights."""
+    turning: Annotated[float, Bounds(1e-3, 1e3, "a motion that counts 1000 times as much as another is exact")] = 0.1
+    """Weight of a rotation [rad], in comparison with a translation divided by the arm's length, in what a chain follows
+    that cannot make every motion."""
+    por: Annotated[tuple[PorRow, ...], msgspec.Meta(min_length=1)]
+    servo: ServoFile | None = None
+    bodies: tuple[BoxBody | PrismBody, ...] = ()
+    """Collision bodies of the arm; they are also drawn if the file names no file of shapes."""
+    shapes: str | None = None
+
+    @property
+    def joints(self) -> tuple[str, ...]:
+        """Names of the joints."""
+        return tuple(joint.name for joint in self.joint)
+
+    @property
+    def labels(self) -> tuple[str, ...]:
+        """Short names of the joints."""
+        return tuple(joint.label for joint in self.joint)
+
+
+ArmFile = YawArmFile | HeadingArmFile | ChainArmFile
 """Decoded arm file."""

@@ -11,12 +11,12 @@ import msgspec
 from aftdeck.arms.blocks import Block, blocks_of
 from aftdeck.arms.fairings import fairings_of
 from aftdeck.arms.load import ArmModel
-from aftdeck.arms.model import HeadingArmFile
+from aftdeck.arms.model import BoxBody, ChainArmFile, HeadingArmFile, PrismBody
 from aftdeck.bodies.camera_file import CameraFile, DriveFile, cameras_of
 from aftdeck.bodies.cameras import Camera
 from aftdeck.errors import ScenarioError
 from aftdeck.files import Problem, Text, parse, sentences
-from aftdeck.shapes import Box, Shape, without_lamps
+from aftdeck.shapes import Box, Cylinder, Shape, without_lamps
 
 
 class ArmShapes(NamedTuple):
@@ -53,8 +53,8 @@ class ShapesFile(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
 def shapes_of(model: ArmModel) -> ArmShapes:
     """Return an arm's shapes and cameras from its shape file.
 
-    For a concept arm without a shape file, the shapes are computed from the arm's dimensions. Without a shape file,
-    an arm of the family of the Shuttle's arm has no shapes.
+    For a concept arm without a shape file, the shapes are computed from the arm's dimensions, and for a chain they are
+    its collision bodies. Without a shape file, an arm of the family of the Shuttle's arm has no shapes.
 
     Raises:
         ScenarioError: a shape or camera is invalid, or the file does not list the arm's frames in order. The message
@@ -68,6 +68,8 @@ def shapes_of(model: ArmModel) -> ArmShapes:
             raise ScenarioError(sentences(problems, *model.shapes))
         details = {body.name: body.details for body in file.body}
         return ArmShapes({body.name: body.shapes for body in file.body}, details, cameras)
+    if isinstance(model.source, ChainArmFile):
+        return ArmShapes(_as_covered(model.source, model.frames), dict.fromkeys(model.frames, ()), ())
     if not isinstance(model.source, HeadingArmFile):
         return ArmShapes(dict.fromkeys(model.frames, ()), dict.fromkeys(model.frames, ()), ())
     blocks = blocks_of(model.source, model.linkage.frames)
@@ -83,6 +85,25 @@ def shapes_of(model: ArmModel) -> ArmShapes:
 def _file(source: Text) -> ShapesFile:
     """Return the contents of a shape file, which are immutable and can therefore be cached."""
     return parse(ShapesFile, source)
+
+
+def _as_covered(file: ChainArmFile, frames: tuple[str, ...]) -> dict[str, tuple[Shape, ...]]:
+    """Return the collision bodies of a chain as shapes, by frame: what is drawn is what collides."""
+    return {frame: tuple(_shape(body) for body in file.bodies if body.frame == frame) for frame in frames}
+
+
+def _shape(body: BoxBody | PrismBody) -> Shape:
+    """Return a collision body as a shape to draw; a cylinder for a prism, which encloses it."""
+    if isinstance(body, BoxBody):
+        return Box(material="padding", position=body.position, rotation=body.rotation, size=body.size)
+    return Cylinder(
+        material="boom",
+        position=body.position,
+        rotation=body.rotation,
+        axis=body.axis,
+        length=body.length,
+        radius=body.radius,
+    )
 
 
 def _box(block: Block) -> Box:

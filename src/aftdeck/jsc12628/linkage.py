@@ -10,7 +10,7 @@ from numpy.typing import ArrayLike
 from aftdeck.arrays import Array
 from aftdeck.errors import InputError, LimitError, UnreachableError
 from aftdeck.frames import Pose
-from aftdeck.jsc12628.quantities import UNTURNED, Units, array, metres, rotation
+from aftdeck.jsc12628.quantities import UNTURNED, Units, array, metres, published_links, rotation
 from aftdeck.kinematics import inverse, jacobian
 from aftdeck.kinematics.arm import Arm
 from aftdeck.kinematics.linkage import sines
@@ -119,10 +119,10 @@ def lnkage(
     Raises:
         InputError: an argument is wrong, or a payload is described although PA is 0.
     """
-    length, q = metres(units), array(theta, (6,), "theta")
+    links, length, q = published_links(arm), metres(units), array(theta, (6,), "theta")
     tip = arm.model.mount.to("orbiter", arm.forward(q))
     wrist_pitch = np.empty((3, 3))
-    observe_link(arm.model.links, q, arm.model.mount.rotation, wrist_pitch)
+    observe_link(links, q, arm.model.mount.rotation, wrist_pitch)
     found = Lnkage(tip.position / length, tip.rotation, wrist_pitch)
     if PA == 0:
         for name, value in (("T_78", T_78), ("r_87", r_87)):
@@ -150,8 +150,8 @@ def jacobi(arm: Arm, theta: ArrayLike, units: Units = "m") -> Array:
         (6, 6) matrix with one column for each joint. Rows 1 to 3 give the tip's angular velocity [1], rows 4 to 6 the
         tip's velocity, along the axes of `Lnkage.T_B5`.
     """
-    length, q = metres(units), array(theta, (6,), "theta")
-    j = jacobian.jacobi(arm.model.links, sines(arm.model.links, *q.tolist()))
+    links, length, q = published_links(arm), metres(units), array(theta, (6,), "theta")
+    j = jacobian.jacobi(links, sines(links, *q.tolist()))
     rows = np.array(
         [
             [j.a11, 0.0, 0.0, 0.0, j.a15, j.a16],
@@ -175,9 +175,9 @@ def erates(arm: Arm, theta: ArrayLike, theta_dot: ArrayLike, units: Units = "m")
         theta_dot: (6,) joint rates [rad/s].
         units: the unit of length in which `V` is returned.
     """
-    length, links = metres(units), arm.model.links
+    links, length = published_links(arm), metres(units)
     a = sines(links, *array(theta, (6,), "theta").tolist())
-    rates = jacobian.Rates(*array(theta_dot, (6,), "theta_dot").tolist())
+    rates = jacobian.of_six(*array(theta_dot, (6,), "theta_dot").tolist())
     twist = arm.model.mount.rotation @ np.array(jacobian.erates(a, jacobian.jacobi(links, a), rates)).reshape(2, 3).T
     return Erates(twist[:, 0], twist[:, 1] / length)
 
@@ -198,6 +198,7 @@ def rmsrat(arm: Arm, theta: ArrayLike, omega_C: ArrayLike, V_C: ArrayLike, units
     Raises:
         SingularityError: the arm is at a singularity; the error names the singularity.
     """
+    published_links(arm)  # rejects an arm with another chain
     to_l = arm.model.mount.rotation.T
     omega, v = to_l @ array(omega_C, (3,), "omega_C"), to_l @ array(V_C, (3,), "V_C") * metres(units)
     return np.asarray(arm.joint_rates(array(theta, (6,), "theta"), np.concatenate([omega, v])))
@@ -223,11 +224,12 @@ def rmangs(arm: Arm, r_6B: ArrayLike, T_B7: ArrayLike, units: Units = "m") -> Ar
         SingularityError: the pose does not determine the angles.
         UnreachableError: no angles of this branch reach the pose.
     """
+    links = published_links(arm)
     given = Pose(array(r_6B, (3,), "r_6B") * metres(units), rotation(T_B7, "T_B7"))
     pose = arm.model.mount.from_("orbiter", given)
     arm.inverse(pose, limits=False)
     angles, excess = np.empty((inverse.BRANCHES, 6)), np.empty(inverse.BRANCHES)
-    inverse.rmangs(arm.model.links, np.concatenate([pose.position, pose.rotation.ravel()]), angles, excess)
+    inverse.rmangs(links, np.concatenate([pose.position, pose.rotation.ravel()]), angles, excess)
     if excess[0] != 0.0:
         raise UnreachableError(
             f"RMANGS's own branch misses this pose by {abs(excess[0]):.4g} m; Arm.inverse returns the branches that "

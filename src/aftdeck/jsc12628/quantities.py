@@ -7,12 +7,15 @@ from typing import Literal
 import numpy as np
 from numpy.typing import ArrayLike
 
+from aftdeck.arms.geometry import GENERAL
 from aftdeck.arrays import Array
 from aftdeck.errors import InputError
 from aftdeck.kinematics import solutions
-from aftdeck.kinematics.linkage import Tip
+from aftdeck.kinematics.arm import Arm
+from aftdeck.kinematics.linkage import WRIST, Tip
 from aftdeck.matrices import product, reflects
-from aftdeck.steering.layout import RULES, SPEED, SPEED_UP, STRICT, TURN, TURN_UP
+from aftdeck.steering.layout import JOINTS, MOST_UP, RULES, SPEED, SPEED_UP, STRICT, TURN, TURN_UP
+from aftdeck.tuples import MOST_JOINTS
 from aftdeck.units import FOOT
 
 Units = Literal["m", "ft"]
@@ -90,10 +93,26 @@ def rotation(values: ArrayLike, name: str) -> Array:
     return given
 
 
+def published_links(arm: Arm) -> Array:
+    """Return the links (8,) of an arm for which the report's subroutines are written.
+
+    Raises:
+        InputError: the arm has another chain of joints.
+    """
+    links = arm.model.links
+    if links[WRIST] == GENERAL:
+        raise InputError(
+            f"{arm.name}: the subroutines of JSC-12628 are written for six joints with one of two wrists, "
+            "pitch-yaw-roll or heading-pitch-roll; this arm has another chain"
+        )
+    return links
+
+
 def strict_rules() -> Array:
     """Return an array `rules` for the steering laws, with only STRICT set, so that the laws run as published."""
     rules = np.zeros(RULES)
-    rules[STRICT] = 1.0
+    rules[STRICT], rules[JOINTS] = 1.0, 6
+    rules[MOST_UP : MOST_UP + MOST_JOINTS] = np.inf
     return rules
 
 

@@ -21,9 +21,11 @@ from aftdeck.jsc12628.quantities import (
     metres,
     not_negative,
     positive,
+    published_links,
     rotation,
 )
 from aftdeck.kinematics.arm import Arm
+from aftdeck.kinematics.linkage import LINKS
 from aftdeck.steering import msteer as laws
 from aftdeck.steering.course import start_motion
 from aftdeck.steering.layout import (
@@ -166,7 +168,7 @@ def operin(
         raise InputError(f"mode: got {mode!r}, expected 1 to 8")
     length, command, state = metres(units), np.zeros(COMMAND), np.zeros(STATE)
     rules = limited_rules(V_L, omega_L, V_L_dot, omega_L_dot, length)
-    rules[: len(arm.model.links)] = arm.model.links
+    rules[:LINKS] = published_links(arm)
     rules[PERIOD] = positive(DT, "DT")
     rules[RATE : RATE + 6] = [positive(rate, "theta_dot_L") for rate in array(theta_dot_L, (6,), "theta_dot_L")]
     rules[RATE_UP : RATE_UP + 6] = rules[RATE : RATE + 6] * (rules[SPEED_UP] / rules[SPEED])

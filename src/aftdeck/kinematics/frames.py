@@ -9,15 +9,13 @@ import numpy as np
 from aftdeck.arms.geometry import frozen
 from aftdeck.arms.load import ArmModel
 from aftdeck.arrays import Array
+from aftdeck.bodies.pose import POSE, put_turn
 from aftdeck.elementary import sincos
 from aftdeck.kinematics.linkage import Three
 from aftdeck.law import law
 
-POSE = 12
-"""Number of values in a frame's row: position [m], then the rotation matrix row by row. The matrix's columns are the
-frame's axes in L."""
-_CHAINED = 7
-"""Number of frames in the chain of joints, including the frame of the foot."""
+AXIS, DIRECTION, SLIDES, RAISED = 3, 4, 7, 8
+"""Indices in a joint's row of `Frames.joints`, which begins with the vector to the joint."""
 
 
 class Frames(NamedTuple):
@@ -25,22 +23,30 @@ class Frames(NamedTuple):
 
     Attributes:
         names: names of the frames, `ArmModel.frames`.
-        joints: (6, 4) one row for each joint: the vector to it from the previous joint, at zero angles [m], then the
-            number of its axis of rotation, 1 to 3. The first joint's vector begins at L's origin.
+        joints: (n, 9) one row for each joint: the vector to it from the previous joint, at zero angles [m]; the number
+            of its axis of rotation, 1 to 3, or 0 for any other axis, and for a slide; the unit vector along its axis;
+            1 if it slides; 1 if a telescope raises it. The first joint's vector begins at L's origin.
     """
 
     names: tuple[str, ...]
     joints: Array
 
     def rows(self) -> Array:
-        """Return an array with a row of zeros for each frame, as output for `place_frames`."""
+        """Return an array with a row of zeros for each frame, as output for `place_frames` (rows of `bodies.pose`)."""
         return np.zeros((len(self.names), POSE))
 
 
 def frames_of(model: ArmModel) -> Frames:
     """Return the frames of an arm."""
-    axes = np.array(model.linkage.axes, dtype=np.float64)
-    return Frames(model.frames, frozen(np.column_stack([model.linkage.steps, axes])))
+    linkage = model.linkage
+    joints = np.zeros((len(linkage.steps), 9))
+    joints[:, :AXIS], joints[:, DIRECTION:SLIDES], joints[:, SLIDES] = linkage.steps, linkage.axes, linkage.slides
+    for row in joints:
+        named = np.flatnonzero((row[DIRECTION:SLIDES] == np.eye(3)).all(axis=1))
+        row[AXIS] = 0.0 if row[SLIDES] or not len(named) else 1.0 + named[0]
+    if model.equipment.telescope is not None:
+        joints[1, RAISED] = 1.0
+    return Frames(model.frames, frozen(joints))
 
 
 @law
@@ -48,33 +54,56 @@ def place_frames(joints: Array, angles: Array, stand: float, prong: float, rows:
     """Write the poses of all frames: LNKAGE joint by joint, then telescope and prong.
 
     Args:
-        joints: (6, 4) as `Frames.joints`.
-        angles: (6,) joint angles [rad].
-        stand: height of the shoulder above L's origin [m]: the telescope's length, or L1 for an arm without telescope.
-        prong: y2 of the prong's inner face [m]; unused if there are seven rows.
-        rows: (7 or 9, 12) output: the row of each frame, in L.
+        joints: (n, 9) as `Frames.joints`.
+        angles: (n,) coordinates of the joints [rad or m].
+        stand: height of the shoulder above L's origin, the telescope's length [m]; unused without a telescope.
+        prong: y2 of the prong's inner face [m]; unused without a prong.
+        rows: (n + 1 or n + 3, 12) output: the row of each frame, in L.
     """
     at: Three = (0.0, 0.0, 0.0)
     a: Three = (1.0, 0.0, 0.0)  # the frame's axes 1, 2, 3
     b: Three = (0.0, 1.0, 0.0)
     c: Three = (0.0, 0.0, 1.0)
-    for i in range(_CHAINED):
-        if i > 0:
-            joint = joints[i - 1]
-            at = _moved(at, a, joint[0])
-            at = _moved(at, b, joint[1])
-            at = _moved(at, c, -stand if i == 2 else joint[2])
-            sine, cosine = sincos(angles[i - 1])
-            if joint[3] == 1.0:
+    count = joints.shape[0]
+    _write(rows[0], at, a, b, c)
+    for i in range(count):
+        joint = joints[i]
+        at = _moved(at, a, joint[0])
+        at = _moved(at, b, joint[1])
+        at = _moved(at, c, -stand if joint[RAISED] != 0.0 else joint[2])
+        if joint[SLIDES] != 0.0:
+            at = _moved(at, a, angles[i] * joint[DIRECTION])
+            at = _moved(at, b, angles[i] * joint[DIRECTION + 1])
+            at = _moved(at, c, angles[i] * joint[DIRECTION + 2])
+        else:
+            sine, cosine = sincos(angles[i])
+            if joint[AXIS] == 1.0:
                 b, c = _turned(b, c, sine, cosine)
-            elif joint[3] == 2.0:
+            elif joint[AXIS] == 2.0:
                 c, a = _turned(c, a, sine, cosine)
-            else:
+            elif joint[AXIS] == 3.0:
                 a, b = _turned(a, b, sine, cosine)
-        _write(rows[i], at, a, b, c)
-    if rows.shape[0] > _CHAINED:
-        _write(rows[_CHAINED], (0.0, 0.0, -stand), (1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0))
-        place_prong(prong, rows)
+            else:
+                a, b, c = _turned_about(joint, a, b, c, sine, cosine)
+        _write(rows[1 + i], at, a, b, c)
+    if rows.shape[0] > 1 + count:
+        _write(rows[1 + count], (0.0, 0.0, -stand), (1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0))
+        place_prong(prong, count, rows)
+
+
+@law
+def _turned_about(joint: Array, a: Three, b: Three, c: Three, s: float, t: float) -> tuple[Three, Three, Three]:
+    """Return axes a, b and c after a rotation about a joint's axis by an angle with the sine s and the cosine t."""
+    turn = np.empty(POSE)
+    put_turn(joint[DIRECTION], joint[DIRECTION + 1], joint[DIRECTION + 2], s, t, turn)
+    return _combined(turn, 3, a, b, c), _combined(turn, 4, a, b, c), _combined(turn, 5, a, b, c)
+
+
+@law
+def _combined(turn: Array, column: int, a: Three, b: Three, c: Three) -> Three:
+    """Return the sum of a, b and c, each times its element of a column of a rotation."""
+    x, y, z = turn[column], turn[column + 3], turn[column + 6]
+    return x * a[0] + y * b[0] + z * c[0], x * a[1] + y * b[1] + z * c[1], x * a[2] + y * b[2] + z * c[2]
 
 
 @law
@@ -102,15 +131,16 @@ def _write(row: Array, at: Three, a: Three, b: Three, c: Three) -> None:
 
 
 @law
-def place_prong(prong: float, rows: Array) -> None:
+def place_prong(prong: float, count: int, rows: Array) -> None:
     """Write the prong's pose, if the arm has one, from the pose of the last joint's frame.
 
     Args:
         prong: y2 of the prong's inner face [m].
-        rows: (7 or 9, 12) as in `place_frames`; the last row is written.
+        count: number of joints.
+        rows: (n + 1 or n + 3, 12) as in `place_frames`; the last row is written.
     """
-    if rows.shape[0] > _CHAINED:
-        hand, row = rows[_CHAINED - 1], rows[_CHAINED + 1]
+    if rows.shape[0] > 1 + count:
+        hand, row = rows[count], rows[count + 2]
         for k in range(POSE):
             row[k] = hand[k]
         for i in range(3):

@@ -11,9 +11,10 @@ from __future__ import annotations
 
 import math
 
+from aftdeck.arms.geometry import HEADING_PITCH_ROLL
 from aftdeck.arrays import Array
 from aftdeck.elementary import acos, atan2, nearest, sincos
-from aftdeck.kinematics.linkage import HEADING_PITCH_ROLL, L1, L2, L3, L4, L5, LOWER, UPPER, WRIST
+from aftdeck.kinematics.linkage import L1, L2, L3, L4, L5, LOWER, UPPER, WRIST
 from aftdeck.law import law
 
 BRANCHES = 8

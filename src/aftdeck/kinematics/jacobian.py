@@ -10,9 +10,10 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
+from aftdeck.arms.geometry import HEADING_PITCH_ROLL
 from aftdeck.arrays import Array
 from aftdeck.kinematics.finite import finite
-from aftdeck.kinematics.linkage import HEADING_PITCH_ROLL, L2, L3, L4, L5, WRIST, Floats, Sines, sines, spin
+from aftdeck.kinematics.linkage import L2, L3, L4, L5, WRIST, Floats, Sines, sines, spin
 from aftdeck.law import law
 
 
@@ -62,7 +63,7 @@ class Twist(NamedTuple):
 
 
 class Rates(NamedTuple):
-    """Six joint rates [rad/s]."""
+    """Joint rates [rad/s], or other values of the joints: as many as an arm can have joints, 0 for the others."""
 
     r1: float
     r2: float
@@ -70,6 +71,30 @@ class Rates(NamedTuple):
     r4: float
     r5: float
     r6: float
+    r7: float
+    r8: float
+
+
+@law
+def of_six(r1: float, r2: float, r3: float, r4: float, r5: float, r6: float) -> Rates:
+    """Return the values of the joints of an arm with six joints."""
+    return Rates(r1, r2, r3, r4, r5, r6, 0.0, 0.0)
+
+
+@law
+def of_array(values: Array) -> Rates:
+    """Return the values (n,) of an arm's joints."""
+    n = values.shape[0]
+    return Rates(
+        values[0],
+        values[1] if n > 1 else 0.0,
+        values[2] if n > 2 else 0.0,
+        values[3] if n > 3 else 0.0,
+        values[4] if n > 4 else 0.0,
+        values[5] if n > 5 else 0.0,
+        values[6] if n > 6 else 0.0,
+        values[7] if n > 7 else 0.0,
+    )
 
 
 @law
@@ -181,7 +206,7 @@ def jacobian_many(arm: Array, angles: Array, matrix: Array) -> bool:
         a = sines(arm, q[0], q[1], q[2], q[3], q[4], q[5])
         j = jacobi(arm, a)
         for k in range(6):
-            unit = Rates(
+            unit = of_six(
                 1.0 if k == 0 else 0.0,
                 1.0 if k == 1 else 0.0,
                 1.0 if k == 2 else 0.0,

@@ -15,6 +15,7 @@ from __future__ import annotations
 
 from typing import NamedTuple, TypeAlias
 
+from aftdeck.arms.geometry import HEADING_PITCH_ROLL, PITCH_YAW_ROLL
 from aftdeck.arrays import Array
 from aftdeck.elementary import sincos
 from aftdeck.kinematics.finite import finite
@@ -32,12 +33,9 @@ the tip; if the wrist's axes intersect in one point, from this point to the tip.
 UPPER, LOWER = 5, 6
 """Indices of the slopes of upper arm and lower arm at zero joint angles, from the boom line upwards [rad]."""
 WRIST = 7
-"""Index of the kind of wrist, which identifies the family."""
+"""Index of the kind of wrist, which identifies the solver."""
 LINKS = 8
-"""Number of values in an arm's array."""
-
-HEADING_PITCH_ROLL, PITCH_YAW_ROLL = 0.0, 1.0
-"""Kinds of wrist."""
+"""Number of values in an arm's array; one of the kind `GENERAL` ends with its packed chain (`arms.chain`) besides."""
 
 
 class Sines(NamedTuple):

@@ -2,44 +2,55 @@
 
 from __future__ import annotations
 
+from aftdeck.arms.geometry import GENERAL
 from aftdeck.arrays import Array
-from aftdeck.kinematics.jacobian import Rates, erates, jacobi
-from aftdeck.kinematics.linkage import sines, spin, tip
-from aftdeck.kinematics.singular import distances
+from aftdeck.kinematics.jacobian import jacobi, of_array
+from aftdeck.kinematics.linkage import WRIST, sines, spin
+from aftdeck.kinematics.solver import distance, number_of_singularities, posture, tip_of, twist_of
 from aftdeck.law import law
 
-OBSERVED = 21
-"""Number of values: tip position (3), tip rotation (9, row by row), twist (6), distances from singularities (3)."""
+SEEN = 18
+"""Number of values besides the distances from singularities: tip position (3), tip rotation (9, row by row), twist (6).
+
+The distances follow: three with a closed form, one with the general solver.
+"""
 
 
 @law
 def observe(arm: Array, angles: Array, rates: Array, seen: Array) -> None:
-    """Write tip, twist and singularities at angles (6,) [rad] and rates (6,) [rad/s], in L, into `seen` (21,).
+    """Write tip, twist and singularities at angles (n,) [rad] and rates (n,) [rad/s], in L, into `seen` (18 + s,).
 
     Source: JSC-12628, subroutines LNKAGE and ERATES.
     """
-    a = sines(arm, angles[0], angles[1], angles[2], angles[3], angles[4], angles[5])
-    t = tip(arm, a)
+    p = posture(arm, of_array(angles))
+    t = tip_of(arm, p)
     for i in range(12):
         seen[i] = t[i]
-    w = erates(a, jacobi(arm, a), Rates(rates[0], rates[1], rates[2], rates[3], rates[4], rates[5]))
+    w = twist_of(arm, p, of_array(rates))
     for i in range(6):
         seen[12 + i] = w[i]
-    seen[18], seen[19], seen[20] = distances(arm, a)
+    for i in range(number_of_singularities(arm)):
+        seen[SEEN + i] = distance(arm, p, i)
 
 
 @law
 def observe_link(arm: Array, angles: Array, mount: Array, axes: Array) -> None:
     """Write LNKAGE's T_B5: the axes of the frame in which JACOBI gives its matrix.
 
-    For the Shuttle's arm this is the wrist-pitch frame; for the concept arm it is the lower arm's frame.
+    For the Shuttle's arm this is the wrist-pitch frame; for the concept arm it is the lower arm's frame. An arm without
+    a closed form has no such frame; the axes are those of L.
 
     Args:
-        arm: packed arm, as in `kinematics.linkage`.
-        angles: (6,) joint angles [rad].
+        arm: the arm's links.
+        angles: (n,) joint angles [rad].
         mount: (3, 3) rotation that converts components in L to components in the orbiter's body axes.
         axes: (3, 3) output; the columns are the frame's axes in the orbiter's body axes.
     """
+    if arm[WRIST] == GENERAL:
+        for row in range(3):
+            for column in range(3):
+                axes[row, column] = mount[row, column]
+        return
     a = sines(arm, angles[0], angles[1], angles[2], angles[3], angles[4], angles[5])
     j = jacobi(arm, a)
     for column in range(3):
@@ -56,20 +67,20 @@ def observe_near(
     """Observe an arm on its telescope; return whether a joint is past its reach limits or a singularity is near.
 
     Args:
-        arm: packed arm, as in `kinematics.linkage`.
-        angles: (6,) joint angles [rad].
-        rates: (6,) joint rates [rad/s].
+        arm: the arm's links.
+        angles: (n,) joint angles [rad].
+        rates: (n,) joint rates [rad/s].
         rising: rate at which the telescope extends, in the direction opposite to axis 3 of L [m/s].
-        reach: (6, 2) reach limits [rad].
+        reach: (n, 2) reach limits [rad].
         threshold: distance below which a singularity is near [1].
-        seen: (21,) output.
+        seen: (18 + s,) output, as in `observe`.
     """
     observe(arm, angles, rates, seen)
     seen[17] -= rising  # the telescope carries the whole arm
     near = False
-    for i in range(6):
+    for i in range(reach.shape[0]):
         near = near or not reach[i, 0] <= angles[i] <= reach[i, 1]
-    for i in range(18, OBSERVED):
+    for i in range(SEEN, seen.shape[0]):
         near = near or abs(seen[i]) < threshold
     return near
 
@@ -83,7 +94,7 @@ def observe_payload(seen: Array, payload: Array, carried: Array) -> None:
     """Write the values of a held payload in L (LNKAGE for PA = 1).
 
     Args:
-        seen: (21,) observed values of the arm, from `observe`.
+        seen: (18 + s,) observed values of the arm, from `observe`.
         payload: (15,) from `Payload.packed`.
         carried: (18,) output.
     """

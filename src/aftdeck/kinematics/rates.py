@@ -18,10 +18,11 @@ import math
 import numpy as np
 from numpy.typing import NDArray
 
+from aftdeck.arms.geometry import HEADING_PITCH_ROLL
 from aftdeck.arrays import Array
 from aftdeck.kinematics.finite import finite
-from aftdeck.kinematics.jacobian import Rates, Twist
-from aftdeck.kinematics.linkage import HEADING_PITCH_ROLL, L2, L3, L4, L5, WRIST, Floats, Sines, sines
+from aftdeck.kinematics.jacobian import Rates, Twist, of_six
+from aftdeck.kinematics.linkage import L2, L3, L4, L5, WRIST, Floats, Sines, sines
 from aftdeck.kinematics.singular import distances
 from aftdeck.law import law
 
@@ -73,7 +74,7 @@ def resolved(arm: Floats, a: Sines, t: Twist, per: tuple[float, float, float]) -
     c2, c3 = side * b3, side * roll + (arm[L4] + ahead) * c1
     out, down = v1 + (a.cw * c2 + a.sw * c3), t.vz + (a.cw * c3 - a.sw * c2)
     r2, r23 = _booms(arm, a, out, down, per_elbow)
-    return Rates(r1, r2, r23 - r2, c1 - r23, r5, r6)
+    return of_six(r1, r2, r23 - r2, c1 - r23, r5, r6)
 
 
 @law
@@ -108,7 +109,7 @@ def _resolved_heading_pitch_roll(arm: Floats, a: Sines, t: Twist, per: tuple[flo
     # angular velocity that the wrist has to produce: along the lower arm, about the pitch axis, across the lower arm
     d1, d2, d3 = a.c23 * w1 - a.s23 * (t.wz - r1), w2 - r23, a.s23 * w1 + a.c23 * (t.wz - r1)
     r6 = (a.cw * d1 + a.sw * d2) * per_wrist
-    return Rates(r1, r2, r23 - r2, d3 + a.s5 * r6, a.cw * d2 - a.sw * d1, r6)
+    return of_six(r1, r2, r23 - r2, d3 + a.s5 * r6, a.cw * d2 - a.sw * d1, r6)
 
 
 @law

@@ -10,10 +10,9 @@ from typing import NamedTuple
 
 from aftdeck.arrays import Array
 from aftdeck.kinematics.finite import finite
+from aftdeck.kinematics.jacobian import Rates
 from aftdeck.kinematics.linkage import L2, L3, L4, Floats, Sines, sines
 from aftdeck.law import law
-
-NAMES = ("shoulder", "elbow", "wrist")
 
 
 class Singularities(NamedTuple):
@@ -41,14 +40,22 @@ def distances(arm: Floats, a: Sines) -> tuple[float, float, float]:
 
 
 @law
-def nearest_singularity(arm: Array, angles: Array) -> tuple[float, int]:
-    """Return the least distance from a singularity [1], and that singularity: 0 shoulder, 1 elbow, 2 wrist."""
-    d = distances(arm, sines(arm, angles[0], angles[1], angles[2], angles[3], angles[4], angles[5]))
-    which = 0
-    for k in range(1, 3):
-        if abs(d[k]) < abs(d[which]):
-            which = k
-    return abs(d[which]), which
+def closing(arm: Floats, a: Sines, rates: Rates, which: int) -> tuple[float, float]:
+    """Return the signed distance from a singularity, and the rate at which the magnitude of the distance falls [1/s].
+
+    `which` is 0 for the shoulder, 1 for the elbow, 2 for the wrist.
+    """
+    shoulder, elbow, wrist = distances(arm, a)
+    upper, lower, hand = rates.r2, rates.r2 + rates.r3, rates.r2 + rates.r3 + rates.r4
+    if which == 0:
+        reach = arm[L2] + arm[L3] + abs(arm[L4])
+        change = -(arm[L2] * a.s2 * upper + arm[L3] * a.s23 * lower + arm[L4] * a.sw * hand) / reach
+        return shoulder, -change if shoulder >= 0.0 else change
+    if which == 1:
+        change = -(a.c2 * a.c23 + a.s2 * a.s23) * rates.r3
+        return elbow, -change if elbow >= 0.0 else change
+    change = -a.s5 * rates.r5
+    return wrist, -change if wrist >= 0.0 else change
 
 
 @law

@@ -9,7 +9,8 @@ import numpy as np
 
 from aftdeck.arrays import Array
 from aftdeck.elementary import ceiling, nearest, sincos
-from aftdeck.kinematics.finite import finite
+from aftdeck.errors import InputError
+from aftdeck.kinematics.finite import finite, not_finite
 from aftdeck.kinematics.inverse import BRANCHES, rmangs
 from aftdeck.law import law
 
@@ -69,13 +70,9 @@ def solve(arm: Array, hard: Array, pose: Array, near: Array, turned: bool, limit
             solutions outside the hard stops.
         solutions: (8, 6) output [rad]; the first `number` rows are filled.
     """
-    if not finite(pose) or not finite(near):
-        return Solved(NOT_FINITE, 0, 0.0, -1, 0.0)
-    skew = _skew(pose)
-    if skew > ROTATION_TOLERANCE:
-        return Solved(SKEW, 0, skew, -1, 0.0)
-    if _determinant(pose) < 0.0:
-        return Solved(MIRRORED, 0, 0.0, -1, 0.0)
+    outcome, value = examine(pose, near)
+    if outcome != FOUND:
+        return Solved(outcome, 0, value, -1, 0.0)
     branches, excess = np.empty((BRANCHES, 6)), np.empty(BRANCHES)
     off_axis, cosine = rmangs(arm, pose, branches, excess)
     if off_axis < EPSILON:
@@ -119,6 +116,30 @@ def solve(arm: Array, hard: Array, pose: Array, near: Array, turned: bool, limit
     if smallest < EPSILON:
         return Solved(WRIST, 0, smallest, -1, 0.0)
     return Solved(FOUND, _distinct(kept, count, solutions), 0.0, -1, 0.0)
+
+
+@law
+def examine(pose: Array, near: Array) -> tuple[int, float]:
+    """Return the outcome if a pose (12,) is no pose or a number is not finite, with its measure; else FOUND and 0."""
+    if not finite(pose) or not finite(near):
+        return NOT_FINITE, 0.0
+    skew = _skew(pose)
+    if skew > ROTATION_TOLERANCE:
+        return SKEW, skew
+    return (MIRRORED if _determinant(pose) < 0.0 else FOUND), 0.0
+
+
+def pose_error(outcome: int, value: float, pose: Array, near: Array) -> InputError:
+    """Return the error for an outcome of `examine`.
+
+    The texts of these errors appear in CMD CK and in the log. Recordings therefore change if a text changes.
+    """
+    if outcome == SKEW:
+        return InputError(skew_text(value))
+    if outcome == MIRRORED:
+        return InputError(MIRRORED_TEXT)
+    given = {"a position": pose[:3], "a rotation": pose[3:].reshape(3, 3), "near": near}
+    return next(not_finite(name, values) for name, values in given.items() if not np.isfinite(values).all())
 
 
 @law

@@ -13,7 +13,6 @@ import numpy as np
 from foxglove import messages as fox
 
 from aftdeck.frames import quaternion
-from aftdeck.kinematics.linkage import L5
 from aftdeck.recording.channels import COMMANDED, FIXED, LINES, MEASURED, MOVING, SCENE, TIP, Log
 from aftdeck.recording.entities import scene_update
 from aftdeck.recording.live import Live
@@ -54,9 +53,10 @@ class Viewing:
         self._poses = ScenePoses(scenario)
         self._worksite = scenario.worksite.bodies
         self._picture = scene_update(bodies_of(scenario), _time(began_ns)).encode()
-        foot = _seven(self._poses.arm.at(np.zeros(6))[:7])
+        foot = _seven(self._poses.arm.at(np.zeros(len(self._joints)))[:7])
         frames = scenario.arm.model.linkage.frames
-        hand: Seven = (float(scenario.arm.model.links[L5]), 0.0, 0.0, 1.0, 0.0, 0.0, 0.0)
+        x, y, z = scenario.arm.model.linkage.tip.tolist()
+        hand: Seven = (x, y, z, 1.0, 0.0, 0.0, 0.0)
         still = [
             (ROOT, body.name, _seven([*body.pose.position.tolist(), *quaternion(body.pose.rotation)]))
             for body in scenario.worksite.bodies

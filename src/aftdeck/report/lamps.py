@@ -8,7 +8,6 @@ from typing import TYPE_CHECKING, Literal, NamedTuple
 
 import msgspec
 
-from aftdeck.kinematics.singular import NAMES
 from aftdeck.recording.delays import Delays
 from aftdeck.scenario.model import Scenario
 from aftdeck.simulation.frame import PAST_REACH, PAST_SOFT, Frame, Level
@@ -23,10 +22,14 @@ class Lit(NamedTuple):
     text: str
 
 
-def _singular(_scenario: Scenario, frame: Frame) -> Lit | None:
+def _singular(scenario: Scenario, frame: Frame) -> Lit | None:
     if not frame.singular:
         return None
-    near = [(name, d) for name, d in zip(NAMES, frame.singularity, strict=True) if name in frame.singular]
+    near = [
+        (name, d)
+        for name, d in zip(scenario.arm.model.singularities, frame.singularity, strict=True)
+        if name in frame.singular
+    ]
     return Lit("caution", ", ".join(f"{name} {abs(d):.2f}" for name, d in near)) if near else None
 
 

@@ -21,7 +21,6 @@ from aftdeck.bodies.overlap import deepest
 from aftdeck.bodies.solid import Solid
 from aftdeck.files import Problem, Where
 from aftdeck.frames import IDENTITY, Pose
-from aftdeck.kinematics.linkage import L5
 from aftdeck.scenario.on_arm import arm_solids
 from aftdeck.scenario.relative import at_cargo, composed, inverted, scene_in_l
 from aftdeck.scenario.target import AtCargo
@@ -185,7 +184,7 @@ def hands(model: ArmModel, worksite: Worksite, payload: Cargo) -> Mapping[str, P
     if hand is None or not isinstance(rule, BarAcquisition) or payload.receptacle is None:
         return {}
     tip = at_cargo(model, payload, AtCargo(0, above=0.5 * rule.window))
-    joint = composed(tip, Pose(np.array([-float(model.links[L5]), 0.0, 0.0]), np.eye(3)))
+    joint = composed(tip, Pose(-model.linkage.tip, np.eye(3)))
     last = model.linkage.frames[-1]
     hand_solids = [solid for solid in arm_solids(model, worksite) if solid.frame == last]
     prong = [solid for solid in arm_solids(model, worksite) if solid.frame == PRONG]

@@ -13,7 +13,7 @@ from aftdeck.arrays import Array
 from aftdeck.elementary import sincos
 from aftdeck.frames import SCENE_FROM_PANEL_AXES, SCENE_ORIGIN
 from aftdeck.kinematics.bending import bend_frames
-from aftdeck.kinematics.frames import frames_of, place_frames
+from aftdeck.kinematics.frames import RAISED, frames_of, place_frames
 from aftdeck.kinematics.linkage import L1
 from aftdeck.law import law
 from aftdeck.matrices import product
@@ -37,7 +37,7 @@ class ArmPoses:
     """
 
     def __init__(self, model: ArmModel, origin: Array = SCENE_ORIGIN, flexures: Sequence[Flexure] = ()) -> None:
-        self._frames, self._axes = frames_of(model), model.linkage.axes
+        self._frames, self._linkage = frames_of(model), model.linkage
         self._stand = float(model.links[L1])
         prong = model.equipment.prong
         self._prong = 0.0 if prong is None else prong.opened
@@ -55,7 +55,7 @@ class ArmPoses:
         """Return seven numbers per frame (x, y, z [m], w, x, y, z).
 
         Args:
-            angles: (6,) joint angles [rad].
+            angles: (n,) joint angles [rad].
             stand: height of the shoulder above L's origin [m]; None for the height in the arm's model.
             prong: y2 of the prong's inner face [m]; None for the open prong.
             bends: (b, 6) bends of the parts that bend (`kinematics.bending`); None for an unbent arm.
@@ -77,17 +77,21 @@ class ArmPoses:
         """
         height, opening = self._telescope_and_prong(stand, prong)
         names, links = self._frames.names, []
-        for k, ((x, y, z, _), axis, angle) in enumerate(
-            zip(self._frames.joints.tolist(), self._axes, angles, strict=True)
+        for n, (row, axis, slides, angle) in enumerate(
+            zip(self._frames.joints, self._linkage.axes.tolist(), self._linkage.slides, angles, strict=True)
         ):
-            s, c = sincos(0.5 * angle)
-            turn = [c, 0.0, 0.0, 0.0]
-            turn[axis] = s
-            down = -height if k == 1 else z
-            links.append((names[k], names[k + 1], (x, y, down, turn[0], turn[1], turn[2], turn[3])))
+            x, y, z = row[:3].tolist()
+            down = -height if row[RAISED] else z
+            i, j, k = axis
+            if slides:
+                pose: Seven = (x + angle * i, y + angle * j, down + angle * k, 1.0, 0.0, 0.0, 0.0)
+            else:
+                s, c = sincos(0.5 * angle)
+                pose = (x, y, down, c, s * i, s * j, s * k)
+            links.append((names[n], names[n + 1], pose))
         if STAND in names:
             links.append((names[0], STAND, (0.0, 0.0, -height, 1.0, 0.0, 0.0, 0.0)))
-            links.append((names[6], PRONG, (0.0, opening, 0.0, 1.0, 0.0, 0.0, 0.0)))
+            links.append((self._linkage.frames[-1], PRONG, (0.0, opening, 0.0, 1.0, 0.0, 0.0, 0.0)))
         return links
 
     def _telescope_and_prong(self, stand: float | None, prong: float | None) -> tuple[float, float]:

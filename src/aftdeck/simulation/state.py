@@ -9,7 +9,7 @@ import numpy as np
 
 from aftdeck.arrays import Array
 from aftdeck.kinematics.arm import Arm
-from aftdeck.kinematics.observe import OBSERVED
+from aftdeck.kinematics.observe import SEEN
 from aftdeck.plant.state import PlantState, new_plant_state
 from aftdeck.scenario.target import Target
 from aftdeck.simulation.camera_drives import Views
@@ -72,7 +72,7 @@ class Panel(StatePart):
     """Final error of the motion that ended in this step, as text; "" if the target was reached or no motion ended."""
     blocked: int = 0
     """Number of steps for which an automatic motion has been at a standstill."""
-    zones: tuple[int, int, int, int, int, int] = (0, 0, 0, 0, 0, 0)
+    zones: tuple[int, ...] = ()
     singular: tuple[str, ...] = ()
     clearance: Level = "info"
     """Alarm level of the minimum clearance."""
@@ -117,7 +117,7 @@ class State(StatePart):
         steering: measured angles and shoulder offset, commanded rates, commanded twist.
         command: input of the steering laws in this step.
         report: output of the steering laws in this step.
-        observed: (21,) tip pose, twist and singularity distances of the arm, computed by `kinematics.observe`.
+        observed: (18 + s,) tip pose, twist and singularity distances of the arm, computed by `kinematics.observe`.
         carried: payload that the arm holds, and the steering's rules with this payload.
         standing: cache of the arm with its shoulder at the present height.
         tick: number of control steps done, the present one included.
@@ -208,6 +208,7 @@ def new_state(flight: Flight, carried: SteeringSetup) -> State:
         law=scenario.law,
         payload_axes=scenario.payload_axes,
         position_hold=scenario.position_hold,
+        zones=(0,) * len(scenario.arm.joints),
         camera=flight.cameras.names[0] if views else "",
     )
     return State(
@@ -220,7 +221,7 @@ def new_state(flight: Flight, carried: SteeringSetup) -> State:
         steering=np.zeros(STATE),
         command=np.zeros(COMMAND),
         report=np.zeros(REPORT),
-        observed=np.zeros(OBSERVED),
+        observed=np.zeros(SEEN + len(scenario.arm.model.singularities)),
         carried=carried,
         standing=Standing(scenario.arm),
     )

@@ -10,21 +10,11 @@ Source: JSC-12628, subroutines LNKAGE, RMSRAT, RATLMT.
 from __future__ import annotations
 
 from aftdeck import elementary
+from aftdeck.arms.geometry import HEADING_PITCH_ROLL, PITCH_YAW_ROLL
 from aftdeck.arrays import Array
 from aftdeck.elementary import reduced, sincos_near_zero, turned_on
-from aftdeck.kinematics.jacobian import Rates, Twist
-from aftdeck.kinematics.linkage import (
-    HEADING_PITCH_ROLL,
-    PITCH_YAW_ROLL,
-    Floats,
-    Nine,
-    Sines,
-    Three,
-    axes,
-    link_angles,
-    place,
-    sines,
-)
+from aftdeck.kinematics.jacobian import Rates, Twist, of_six
+from aftdeck.kinematics.linkage import Floats, Nine, Sines, Three, axes, link_angles, place, sines
 from aftdeck.kinematics.rates import per_distance, resolved, rmsrat
 from aftdeck.law import fused, law
 from aftdeck.steering.msteer import NEAR_FLOOR
@@ -105,7 +95,7 @@ def three(rows: Array, first: int, i: int) -> Three:
 
 
 @law
-def put_three(rows: Array, first: int, i: int, values: Three) -> None:
+def put_three(rows: Array, first: int, i: int, values: tuple[float, ...]) -> None:
     """Write arm `i`'s values into three rows; the first of them is row `first`."""
     n = first * LANES + i
     rows[n], rows[n + LANES], rows[n + 2 * LANES] = values
@@ -118,10 +108,10 @@ def six(rows: Array, first: int, i: int) -> Six:
 
 
 @law
-def put_six(rows: Array, first: int, i: int, values: Six) -> None:
-    """Write arm `i`'s values into six rows; the first of them is row `first`."""
+def put_six(rows: Array, first: int, i: int, values: tuple[float, ...]) -> None:
+    """Write the first six of arm `i`'s values into six rows; the first of them is row `first`."""
     put_three(rows, first, i, values[:3])
-    put_three(rows, first + 3, i, values[3:])
+    put_three(rows, first + 3, i, values[3:6])
 
 
 @law
@@ -232,7 +222,7 @@ def _steer_family(arm: Floats, pace: Floats, blocks: Array, work: Array, steps: 
                 put_six(block, LEFT, i, resolved(arm, sines_in(work, i), twist, three(work, PER, i)))
             for i in range(LANES):
                 r1, r2, r3, r4, r5, r6 = six(block, LEFT, i)
-                q = angles_after_step(pace, Rates(r1, r2, r3, r4, r5, r6), six(block, 0, i))
+                q = angles_after_step(pace, of_six(r1, r2, r3, r4, r5, r6), six(block, 0, i))
                 put_six(block, 0, i, q)
                 put_six(work, 0, i, link_angles(arm, q[0], q[1], q[2], q[3], q[4], q[5]))
             _evaluate(arm, block, work, fast)

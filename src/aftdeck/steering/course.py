@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from aftdeck.arrays import Array
 from aftdeck.law import law
-from aftdeck.steering.layout import LAW, MEASURED, MOTION_ACTIVE, STRICT
+from aftdeck.steering.layout import JOINTS, LAW, MEASURED, MOTION_ACTIVE, STRICT
 from aftdeck.steering.modes import open_loop, position
 
 AT_REST = 1e-6
@@ -20,7 +20,7 @@ AT_REST = 1e-6
 def may_start(rules: Array, state: Array) -> bool:
     """Return whether an automatic motion may start: under `strict` always, otherwise only if all joints are at rest."""
     fastest = 0.0
-    for i in range(6):
+    for i in range(int(rules[JOINTS])):
         fastest = max(fastest, abs(state[MEASURED + i]))
     return bool(rules[STRICT] != 0.0 or fastest <= AT_REST)
 

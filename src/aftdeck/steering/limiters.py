@@ -14,8 +14,8 @@ from typing import NamedTuple
 from aftdeck.arrays import Array
 from aftdeck.elementary import ceiling
 from aftdeck.kinematics.jacobian import Rates, Twist
-from aftdeck.kinematics.linkage import L2, L3, L4, Floats, Sines
-from aftdeck.kinematics.singular import distances
+from aftdeck.kinematics.linkage import Floats
+from aftdeck.kinematics.solver import Posture, closing, number_of_singularities
 from aftdeck.law import law
 from aftdeck.steering.layout import (
     ANGLES,
@@ -23,6 +23,7 @@ from aftdeck.steering.layout import (
     DT,
     GUARDED,
     HIGH,
+    JOINTS,
     LOW,
     MOST_UP,
     RATE,
@@ -57,7 +58,7 @@ OUTSIDE = 1e-9
 def rate_ratio(rules: Array, state: Array) -> float:
     """Return the largest ratio of a joint's commanded rate (magnitude) to the joint's rate limit in force."""
     greatest = 0.0
-    for i in range(6):
+    for i in range(int(rules[JOINTS])):
         greatest = max(greatest, abs(state[RATES + i]) / rules[RATE + i])
     return greatest
 
@@ -68,7 +69,7 @@ class Ratio(NamedTuple):
     Attributes:
         ratio: allowed share, 0 to 1.
         cause: index in `CAUSES`; 0 if no limit acts.
-        culprit: the joint, or for a singularity 0 shoulder, 1 elbow, 2 wrist; -1 if no limit acts.
+        culprit: the joint, or the singularity (`ArmModel.singularities`); -1 if no limit acts.
     """
 
     ratio: float
@@ -153,7 +154,7 @@ def _shortening_factor(x: float, y: float, z: float, most: float) -> float:
 
 
 @law
-def ratlmt(rules: Array, state: Array, a: Sines, rates: Rates) -> Ratio:
+def ratlmt(rules: Array, state: Array, a: Posture, rates: Rates) -> Ratio:
     """Return the ratio that reduces the commanded joint rates so that each is within its limit (RATLMT).
 
     If GUARDED is 1, the ratio also slows the arm before its singularities and, unless AS_FLOWN is 1, before its stops.
@@ -173,6 +174,8 @@ def time_to_rest(rules: Floats, rates: Rates) -> float:
         max(abs(rates.r4), SLOWEST) / rules[MOST_UP + 3],
         max(abs(rates.r5), SLOWEST) / rules[MOST_UP + 4],
         max(abs(rates.r6), SLOWEST) / rules[MOST_UP + 5],
+        max(abs(rates.r7), SLOWEST) / rules[MOST_UP + 6],
+        max(abs(rates.r8), SLOWEST) / rules[MOST_UP + 7],
     )
 
 
@@ -186,7 +189,7 @@ def joint_ratio(rules: Array, state: Array, rates: Rates) -> Ratio:
     ratio, cause, culprit = 1.0, 0, -1
     as_flown, guarded = rules[AS_FLOWN] != 0.0, rules[GUARDED] != 0.0
     per_second = 1.0 / time_to_rest(rules, rates) if rules[TOGETHER] != 0.0 else math.inf
-    for i in range(6):
+    for i in range(int(rules[JOINTS])):
         rate, angle = rates[i], state[ANGLES + i]
         past = angle > rules[HIGH + i] + OUTSIDE or angle < rules[LOW + i] - OUTSIDE
         if as_flown and past:
@@ -205,10 +208,10 @@ def joint_ratio(rules: Array, state: Array, rates: Rates) -> Ratio:
 
 
 @law
-def singularity_ratio(rules: Array, a: Sines, rates: Rates, limit: Ratio) -> Ratio:
+def singularity_ratio(rules: Array, a: Posture, rates: Rates, limit: Ratio) -> Ratio:
     """Return the ratio `limit`, or a smaller ratio that slows the arm before a singularity."""
     ratio, cause, culprit = limit.ratio, limit.cause, limit.culprit
-    for k in range(3):
+    for k in range(number_of_singularities(rules)):
         distance, towards = closing(rules, a, rates, k)
         allowed = APPROACH * max(abs(distance) - NEAREST, 0.0)
         if towards > allowed * (1.0 + 1e-12) + 1e-12:
@@ -216,22 +219,3 @@ def singularity_ratio(rules: Array, a: Sines, rates: Rates, limit: Ratio) -> Rat
             if left < ratio:
                 ratio, cause, culprit = left, BY_SINGULARITY, k
     return Ratio(ratio, cause, culprit)
-
-
-@law
-def closing(rules: Floats, a: Sines, rates: Rates, which: int) -> tuple[float, float]:
-    """Return the signed distance from a singularity, and the rate at which the magnitude of the distance falls [1/s].
-
-    `which` is 0 for the shoulder, 1 for the elbow, 2 for the wrist.
-    """
-    shoulder, elbow, wrist = distances(rules, a)
-    upper, lower, hand = rates.r2, rates.r2 + rates.r3, rates.r2 + rates.r3 + rates.r4
-    if which == 0:
-        reach = rules[L2] + rules[L3] + abs(rules[L4])
-        change = -(rules[L2] * a.s2 * upper + rules[L3] * a.s23 * lower + rules[L4] * a.sw * hand) / reach
-        return shoulder, -change if shoulder >= 0.0 else change
-    if which == 1:
-        change = -(a.c2 * a.c23 + a.s2 * a.s23) * rates.r3
-        return elbow, -change if elbow >= 0.0 else change
-    change = -a.s5 * rates.r5
-    return wrist, -change if wrist >= 0.0 else change

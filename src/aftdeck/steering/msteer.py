@@ -1,4 +1,4 @@
-"""MSTEER: one steering step, from the measured arm and the command to six joint rates.
+"""MSTEER: one steering step, from the measured arm and the command to the joint rates.
 
 Source: JSC-12628, subroutine MSTEER. It calls JACOBI, LNKAGE, ERATES, VOTRAN (the mode's twist), AVCLMT, RMSRAT and
 RATLMT. The twist of ERATES, times RATIO, is fed back to AVCLMT in the next step. Without `strict`, there are four
@@ -15,9 +15,10 @@ additions:
 from __future__ import annotations
 
 from aftdeck.arrays import Array
-from aftdeck.kinematics.jacobian import Jacobian, Rates, Twist, erates, jacobi
-from aftdeck.kinematics.linkage import Sines, Tip, lifted, sines, tip
-from aftdeck.kinematics.rates import FLOOR, rmsrat
+from aftdeck.kinematics.jacobian import Rates, Twist
+from aftdeck.kinematics.linkage import Tip, lifted
+from aftdeck.kinematics.rates import FLOOR
+from aftdeck.kinematics.solver import Posture, posture, rates_of, tip_at, tip_of, twist_of
 from aftdeck.law import law
 from aftdeck.steering.layout import (
     AIMS,
@@ -76,12 +77,11 @@ def msteer(rules: Array, command: Array, state: Array, report: Array) -> None:
     report[DISTANCE], report[ANGLE], report[REMAINING], report[ARRIVED] = 0.0, 0.0, 0.0, 0.0
     report[TURN_REMAINING] = 0.0
     put_rates(report, BEFORE, rates_at(state, RATES))
-    a = _sines_at(rules, state, 0.0 if rules[STRICT] != 0.0 else 0.5 * rules[DT])
-    j = jacobi(rules, a)
+    a = posture(rules, _angles_at(state, 0.0 if rules[STRICT] != 0.0 else 0.5 * rules[DT]))
     if command[LAW] == 1.0 or 8.0 <= command[LAW] <= MASTER_LAW:
-        _steer_joints(rules, command, state, report, a, j)
+        _steer_joints(rules, command, state, report, a)
     else:
-        _steer_point(rules, command, state, report, a, j)
+        _steer_point(rules, command, state, report, a)
 
 
 @law
@@ -89,40 +89,41 @@ def measured(angles: Array, rates: Array, holds: Array, rise: float, state: Arra
     """Copy the measurements into the state.
 
     Args:
-        angles: (6,) joint angles [rad].
-        rates: (6,) joint rates [rad/s].
-        holds: (6,) angles to which servos turn the joints [rad]; NaN for a joint that has no such angle.
+        angles: (n,) joint angles [rad].
+        rates: (n,) joint rates [rad/s].
+        holds: (n,) angles to which servos turn the joints [rad]; NaN for a joint that has no such angle.
         rise: measured height of the shoulder minus its height in `rules` [m].
         state: receives the measurements.
     """
     state[SHOULDER_OFFSET] = rise
-    for i in range(6):
+    for i in range(angles.shape[0]):
         state[ANGLES + i] = angles[i]
         state[MEASURED + i] = rates[i]
         state[AIMS + i] = angles[i] if holds[i] != holds[i] else holds[i]
 
 
 @law
-def _sines_at(rules: Array, state: Array, ahead: float) -> Sines:
-    """Return sines and cosines of the joint angles after a time `ahead` [s] at the measured rates."""
+def _angles_at(state: Array, ahead: float) -> Rates:
+    """Return the joint angles [rad] after a time `ahead` [s] at the measured rates."""
     q, r = rates_at(state, ANGLES), rates_at(state, MEASURED)
-    return sines(
-        rules,
+    return Rates(
         q.r1 + ahead * r.r1,
         q.r2 + ahead * r.r2,
         q.r3 + ahead * r.r3,
         q.r4 + ahead * r.r4,
         q.r5 + ahead * r.r5,
         q.r6 + ahead * r.r6,
+        q.r7 + ahead * r.r7,
+        q.r8 + ahead * r.r8,
     )
 
 
 @law
-def _steer_joints(rules: Array, command: Array, state: Array, report: Array, a: Sines, j: Jacobian) -> None:
+def _steer_joints(rules: Array, command: Array, state: Array, report: Array, a: Posture) -> None:
     """Steer in modes 1 and 8, DIRECT and MASTER, which command joint rates. Singularities do not limit these modes."""
     if command[LAW] == 1.0:
         demanded = position.rates(rules, command, state, report)
-        factor = _position_factor(rules, command, state, report, a, j, demanded)
+        factor = _position_factor(rules, command, state, report, a, demanded)
         rates = cut(rules, demanded, factor)
         state[CLOCK_RATE] = factor
         share = 1.0 if rules[STRICT] != 0.0 else factor
@@ -133,15 +134,13 @@ def _steer_joints(rules: Array, command: Array, state: Array, report: Array, a: 
         rates = master.rates(rules, command, state, report)
     else:
         rates = single_joint.rates(rules, command, state, report)
-    twist = erates(a, j, rates)
+    twist = twist_of(rules, a, rates)
     put_twist(report, DEMAND, twist)
     feed_back(state, rates, twist, 0.0)
 
 
 @law
-def _position_factor(
-    rules: Array, command: Array, state: Array, report: Array, a: Sines, j: Jacobian, demanded: Rates
-) -> float:
+def _position_factor(rules: Array, command: Array, state: Array, report: Array, a: Posture, demanded: Rates) -> float:
     """Return the factor, 0 to 1, that reduces mode 1's joint rates; write into the report which limits act.
 
     Before the motion starts, and under `strict` (as in the source), only RATLMT acts. Otherwise the limits of the tip
@@ -151,31 +150,31 @@ def _position_factor(
     if rules[STRICT] != 0.0 or command[MOTION_ACTIVE] == 0.0:
         report[RATIO], report[CAUSE], report[LIMITING_JOINT] = limit.ratio, limit.cause, limit.culprit
         return limit.ratio
-    present = _present_twist(rules, state, a, j, False, 0.0, 0.0, 0.0)
-    result = one_factor(rules, state, demanded, erates(a, j, demanded), present, limit)
+    present = _present_twist(rules, state, a, False, 0.0, 0.0, 0.0)
+    result = one_factor(rules, state, demanded, twist_of(rules, a, demanded), present, limit)
     report[RATIO], report[CAUSE], report[LIMITING_JOINT] = result.factor, result.cause, result.culprit
     report[POR_CAUSE] = result.por_cause
     return result.factor
 
 
 @law
-def _steer_point(rules: Array, command: Array, state: Array, report: Array, a: Sines, j: Jacobian) -> None:
+def _steer_point(rules: Array, command: Array, state: Array, report: Array, a: Posture) -> None:
     """Steer in modes 2 to 7, which command a twist of the point of resolution."""
-    here = lifted(tip(rules, _sines_at(rules, state, 0.0)), state[SHOULDER_OFFSET])
+    here = lifted(tip_at(rules, rates_at(state, ANGLES)), state[SHOULDER_OFFSET])
     twist = _demand(rules, command, state, report, here)
     put_twist(report, DEMAND, twist)
     offset = rules[OFFSET] != 0.0 or rules[OFFSET + 1] != 0.0 or rules[OFFSET + 2] != 0.0
     x, y, z = 0.0, 0.0, 0.0
     if offset:
-        x, y, z = from_hand(tip(rules, a), rules[OFFSET], rules[OFFSET + 1], rules[OFFSET + 2])
+        x, y, z = from_hand(tip_of(rules, a), rules[OFFSET], rules[OFFSET + 1], rules[OFFSET + 2])
         if command[LAW] < 4.0:  # POSITION HOLD in ORB LD and PL uses mode 2, which demands a twist of the tip
             twist = _twist_of_point(twist, x, y, z)
     floor = NEAR_FLOOR if rules[GUARDED] != 0.0 else FLOOR
-    present = _present_twist(rules, state, a, j, offset, x, y, z)
+    present = _present_twist(rules, state, a, offset, x, y, z)
     on_line = (command[LAW] == 2.0 or command[LAW] == 3.0) and command[MOTION_ACTIVE] != 0.0 and rules[STRICT] == 0.0
     if not (on_line and command[LAW] == 3.0):  # AVCLMT would take mode 3 off its plan; `one_factor` does not
         if rules[STRICT] == 0.0:
-            possible = ratlmt(rules, state, a, rmsrat(rules, a, _twist_of_point(twist, -x, -y, -z), floor))
+            possible = ratlmt(rules, state, a, rates_of(rules, a, _twist_of_point(twist, -x, -y, -z), floor))
             twist = scaled(twist, possible.ratio)
             report[RATIO], report[CAUSE], report[LIMITING_JOINT] = possible.ratio, possible.cause, possible.culprit
         if on_line:
@@ -183,10 +182,10 @@ def _steer_point(rules: Array, command: Array, state: Array, report: Array, a: S
         else:
             twist, por_cause = avclmt(rules, twist, present)
         report[POR_CAUSE] = por_cause
-    rates = rmsrat(rules, a, _twist_of_point(twist, -x, -y, -z), floor)
+    rates = rates_of(rules, a, _twist_of_point(twist, -x, -y, -z), floor)
     change = Share(1.0, -1)
     if not on_line and rules[STRICT] == 0.0:
-        kept = rmsrat(rules, a, _twist_of_point(present, -x, -y, -z), floor)
+        kept = rates_of(rules, a, _twist_of_point(present, -x, -y, -z), floor)
         change = share_of_change(rules, state, kept, rates)
         rates, twist = rates_between(kept, rates, change.share), twist_between(present, twist, change.share)
     limit = ratlmt(rules, state, a, rates)
@@ -231,9 +230,7 @@ def _demand(rules: Array, command: Array, state: Array, report: Array, here: Tip
 
 
 @law
-def _present_twist(
-    rules: Array, state: Array, a: Sines, j: Jacobian, offset: bool, x: float, y: float, z: float
-) -> Twist:
+def _present_twist(rules: Array, state: Array, a: Posture, offset: bool, x: float, y: float, z: float) -> Twist:
     """Return the present twist of the point of resolution, from which AVCLMT computes the accelerations.
 
     The source computes this twist by ERATES from the measured joint rates at the new angles. Without `strict`, the
@@ -245,14 +242,15 @@ def _present_twist(
     actual, commanded = rates_at(state, MEASURED), rates_at(state, RATES)
     was = state[POINT] != 0.0
     if rules[STRICT] != 0.0:
-        return _twist_of_point(erates(a, j, actual), x, y, z)
+        return _twist_of_point(twist_of(rules, a, actual), x, y, z)
     if was and not offset:  # TWIST belongs to a point of the payload, but the point of resolution is now the tip
-        return erates(a, j, actual)
+        return twist_of(rules, a, actual)
     beside = Rates(
         actual.r1 - commanded.r1, actual.r2 - commanded.r2, actual.r3 - commanded.r3,
         actual.r4 - commanded.r4, actual.r5 - commanded.r5, actual.r6 - commanded.r6,
+        actual.r7 - commanded.r7, actual.r8 - commanded.r8,
     )  # fmt: skip
-    more = erates(a, j, beside)
+    more = twist_of(rules, a, beside)
     if was:  # TWIST already belongs to the payload's point of resolution
         more = _twist_of_point(more, x, y, z)
     t = twist_at(state, TWIST)
@@ -297,6 +295,8 @@ def cut(rules: Array, r: Rates, k: float) -> Rates:
         _within(k * r.r4, most.r4),
         _within(k * r.r5, most.r5),
         _within(k * r.r6, most.r6),
+        _within(k * r.r7, most.r7),
+        _within(k * r.r8, most.r8),
     )
 
 

@@ -21,7 +21,7 @@ from aftdeck.arrays import Array
 from aftdeck.kinematics.jacobian import Rates, Twist
 from aftdeck.kinematics.linkage import Floats
 from aftdeck.law import law
-from aftdeck.steering.layout import DT, MEASURED, MOST_UP, SPEED, SPEED_UP, TURN, TURN_UP
+from aftdeck.steering.layout import DT, JOINTS, MEASURED, MOST_UP, SPEED, SPEED_UP, TURN, TURN_UP
 from aftdeck.steering.limiters import BY_ACCELERATION, Ratio
 
 ROUNDING = 1e-11
@@ -40,7 +40,7 @@ class Factor(NamedTuple):
     Attributes:
         factor: share that is commanded, 0 to 1.
         cause: index in `limiters.CAUSES`; 0 if none of these limits acts.
-        culprit: the joint, or for a singularity 0 shoulder, 1 elbow, 2 wrist; -1 if `cause` is 0.
+        culprit: the joint, or the singularity (`ArmModel.singularities`); -1 if `cause` is 0.
         por_cause: limit of the point of resolution, as `limiters.avclmt` numbers it; 0 if none acts.
     """
 
@@ -129,7 +129,7 @@ def _of_joints(rules: Array, state: Array, rates: Rates) -> tuple[Range, int, in
         The range, the joint that sets `high`, and the joint that sets `low`; -1 for an end that no joint sets.
     """
     low, high, slowest, quickest = -UNBOUNDED, UNBOUNDED, -1, -1
-    for i in range(6):
+    for i in range(int(rules[JOINTS])):
         change = rules[MOST_UP + i] * rules[DT] * (1.0 + ROUNDING)
         rate, now = abs(rates[i]), math.copysign(1.0, rates[i]) * state[MEASURED + i]
         if rate > NO_RATE:
@@ -162,7 +162,7 @@ def _of_vector(x: float, y: float, z: float, px: float, py: float, pz: float, ch
 def _excess(rules: Array, state: Array, rates: Rates, factor: float) -> tuple[float, int]:
     """Return, for a factor, the greatest ratio of a joint acceleration to its limit [1], and the joint concerned."""
     greatest, joint = 0.0, -1
-    for i in range(6):
+    for i in range(int(rules[JOINTS])):
         share = abs(factor * rates[i] - state[MEASURED + i]) / (rules[MOST_UP + i] * rules[DT])
         if share > greatest:
             greatest, joint = share, i

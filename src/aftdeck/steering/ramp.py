@@ -29,7 +29,7 @@ def ramped(rules: Array, state: Array, report: Array, demanded: float, i: int, s
         state: measured angles and rates.
         report: receives cause and joint if a stop acts.
         demanded: the demanded rate [rad/s].
-        i: the joint, 0 to 5.
+        i: the joint, from 0.
         stop: index in `limiters.CAUSES` that tells whether the stops in `rules` are soft or hard.
     """
     change, before = rules[RATE_UP + i] * rules[DT], state[MEASURED + i]

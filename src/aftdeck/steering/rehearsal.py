@@ -8,7 +8,7 @@ from __future__ import annotations
 from aftdeck.arrays import Array
 from aftdeck.law import law
 from aftdeck.steering.course import start_motion
-from aftdeck.steering.layout import AIMS, ANGLES, ARRIVED, DT, MEASURED, MOTION_ACTIVE, RATES, RATIO
+from aftdeck.steering.layout import AIMS, ANGLES, ARRIVED, DT, JOINTS, MEASURED, MOTION_ACTIVE, RATES, RATIO
 from aftdeck.steering.msteer import msteer
 
 STANDSTILL = 1e-3
@@ -29,7 +29,7 @@ def rehearse(rules: Array, command: Array, state: Array, report: Array, most: fl
         if command[MOTION_ACTIVE] == 0.0:
             start_motion(rules, command, state)
         msteer(rules, command, state, report)
-        for i in range(6):
+        for i in range(int(rules[JOINTS])):
             state[ANGLES + i] += state[RATES + i] * dt
             state[AIMS + i], state[MEASURED + i] = state[ANGLES + i], state[RATES + i]
         step += 1

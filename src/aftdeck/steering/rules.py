@@ -9,6 +9,7 @@ import numpy as np
 from aftdeck.arms.load import ArmModel, PorLimits
 from aftdeck.arrays import Array
 from aftdeck.elementary import sincos
+from aftdeck.kinematics.linkage import LINKS
 from aftdeck.kinematics.payload import Payload
 from aftdeck.matrices import product
 from aftdeck.steering.layout import (
@@ -19,6 +20,7 @@ from aftdeck.steering.layout import (
     HAND_SINE,
     HELD,
     HIGH,
+    JOINTS,
     LOW,
     MOST_UP,
     MOUNT,
@@ -36,6 +38,7 @@ from aftdeck.steering.layout import (
     TURN_UP,
 )
 from aftdeck.steering.mode import MODES, Mode
+from aftdeck.tuples import MOST_JOINTS
 
 Rate = Literal["coarse", "vernier"]
 Key = tuple[str, Rate, int]
@@ -64,11 +67,14 @@ def rules_of(
     payload, the coarse and vernier joint rates are lower, in proportion to the POR's speed limit (assumed). The
     accelerations are computed from the coarse limits in both settings.
     """
-    shared = np.zeros(RULES)
-    shared[: len(arm.links)] = arm.links
+    joints, tail = len(arm.joints), len(arm.links) - LINKS
+    shared = np.zeros(RULES + tail)
+    shared[:LINKS], shared[RULES:] = arm.links[:LINKS], arm.links[LINKS:]
+    shared[JOINTS] = joints
     shared[DT], shared[STRICT], shared[GUARDED], shared[AS_FLOWN] = control_period, strict, guarded, as_flown
     shared[SPEED_UP], shared[TURN_UP] = por.acceleration, por.angular_acceleration
-    shared[MOST_UP : MOST_UP + 6] = arm.rates.acceleration
+    shared[MOST_UP : MOST_UP + MOST_JOINTS] = np.inf
+    shared[MOST_UP : MOST_UP + joints] = arm.rates.acceleration
     shared[MOUNT : MOUNT + 9] = arm.mount.rotation.T.ravel()
     shared[HAND_SINE], shared[HAND_COSINE] = sincos(arm.end_effector_roll)
     shared[NEAR], shared[NEAR_TURN] = near, near_turn
@@ -82,13 +88,13 @@ def rules_of(
                 rules[SPEED], rules[TURN] = por.translation[setting], por.rotation[setting]
                 if _by_joint(mode, law, strict):
                     fastest = share * arm.rates.coarse
-                    rules[RATE : RATE + 6] = share * (arm.rates.coarse if rate == "coarse" else arm.rates.vernier)
+                    rules[RATE : RATE + joints] = share * (arm.rates.coarse if rate == "coarse" else arm.rates.vernier)
                 else:
-                    fastest = rules[RATE : RATE + 6] = arm.rates.servo
-                rules[RATE_UP : RATE_UP + 6] = fastest * (por.acceleration / por.translation[0])
+                    fastest = rules[RATE : RATE + joints] = arm.rates.servo
+                rules[RATE_UP : RATE_UP + joints] = fastest * (por.acceleration / por.translation[0])
                 stops = arm.limits.hard if mode.kind == "single" else arm.limits.soft
                 rules[TOGETHER] = mode.kind == "manual"
-                rules[LOW : LOW + 6], rules[HIGH : HIGH + 6] = stops[:, 0], stops[:, 1]
+                rules[LOW : LOW + joints], rules[HIGH : HIGH + joints] = stops[:, 0], stops[:, 1]
                 if mode.loaded and payload is not None and not strict:
                     rules[OFFSET : OFFSET + 3] = product(payload.rotation, payload.centre + payload.por)
                 rules.setflags(write=False)

@@ -15,13 +15,14 @@ import math
 from typing import NamedTuple
 
 from aftdeck.arrays import Array
-from aftdeck.kinematics.jacobian import Rates, Twist
+from aftdeck.kinematics.jacobian import Rates, Twist, of_six
 from aftdeck.kinematics.linkage import Floats, Sines, link_angles
 from aftdeck.kinematics.rates import per_distance, resolved
+from aftdeck.kinematics.singular import closing
 from aftdeck.law import law
 from aftdeck.steering.blocks import LANES, PER, QUARTERS, put_six, put_three, replace_by_sines, sines_in, six, three
 from aftdeck.steering.layout import DT, HIGH, LOW, MEASURED, MOST_UP, RATE, RATE_UP, RULES, SPEED, TURN
-from aftdeck.steering.limiters import APPROACH, NEAREST, SLOWEST, Ratio, avclmt, braked, closing, time_to_rest
+from aftdeck.steering.limiters import APPROACH, NEAREST, SLOWEST, Ratio, avclmt, braked, time_to_rest
 from aftdeck.steering.msteer import NEAR_FLOOR
 from aftdeck.steering.one_factor import NO_RATE, ROUNDING, UNBOUNDED, Range, of_point, one_factor
 from aftdeck.steering.turn import from_orbiter
@@ -235,7 +236,7 @@ def steer_by_sticks(c: Floats, rules: Array, block: Array, work: Array, scratch:
 @law
 def _rates(rows: Array, first: int, i: int) -> Rates:
     r1, r2, r3, r4, r5, r6 = six(rows, first, i)
-    return Rates(r1, r2, r3, r4, r5, r6)
+    return of_six(r1, r2, r3, r4, r5, r6)
 
 
 @law

@@ -15,7 +15,7 @@ from aftdeck.arrays import Array
 from aftdeck.kinematics.jacobian import Rates, Twist
 from aftdeck.kinematics.linkage import Floats
 from aftdeck.law import law
-from aftdeck.steering.layout import DT, MEASURED, MOST_UP, SPEED_UP, TURN_UP
+from aftdeck.steering.layout import DT, JOINTS, MEASURED, MOST_UP, SPEED_UP, TURN_UP
 from aftdeck.steering.limiters import avclmt
 from aftdeck.steering.one_factor import NO_RATE, UNBOUNDED, Range, of_point
 
@@ -68,7 +68,7 @@ def share_of_change(rules: Array, state: Array, before: Rates, after: Rates) -> 
         after: joint rates of the changed twist [rad/s].
     """
     low, high, joint = -UNBOUNDED, UNBOUNDED, -1
-    for i in range(6):
+    for i in range(int(rules[JOINTS])):
         one = joint_shares(rules[MOST_UP + i] * rules[DT], before[i], after[i], state[MEASURED + i])
         low = max(low, one.low)
         if one.high < high:
@@ -109,6 +109,8 @@ def rates_between(before: Rates, after: Rates, share: float) -> Rates:
         between(before.r4, after.r4, share),
         between(before.r5, after.r5, share),
         between(before.r6, after.r6, share),
+        between(before.r7, after.r7, share),
+        between(before.r8, after.r8, share),
     )
 
 

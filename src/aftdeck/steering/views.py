@@ -7,22 +7,25 @@ from __future__ import annotations
 
 from aftdeck.arrays import Array
 from aftdeck.kinematics.jacobian import Rates, Twist
-from aftdeck.kinematics.linkage import Sines, sines
+from aftdeck.kinematics.solver import Posture, posture
 from aftdeck.law import law
 from aftdeck.steering.layout import ANGLES, SPEED, STICKS, TURN
 
 
 @law
 def rates_at(values: Array, at: int) -> Rates:
-    """Return the values of the six joints that begin at index `at` of an array."""
-    return Rates(values[at], values[at + 1], values[at + 2], values[at + 3], values[at + 4], values[at + 5])
+    """Return the values of the joints that begin at index `at` of an array."""
+    return Rates(
+        values[at], values[at + 1], values[at + 2], values[at + 3],
+        values[at + 4], values[at + 5], values[at + 6], values[at + 7],
+    )  # fmt: skip
 
 
 @law
 def put_rates(values: Array, at: int, r: Rates) -> None:
-    """Write the values of the six joints into an array, from index `at` on."""
-    values[at], values[at + 1], values[at + 2] = r.r1, r.r2, r.r3
-    values[at + 3], values[at + 4], values[at + 5] = r.r4, r.r5, r.r6
+    """Write the values of the joints into an array, from index `at` on."""
+    values[at], values[at + 1], values[at + 2], values[at + 3] = r.r1, r.r2, r.r3, r.r4
+    values[at + 4], values[at + 5], values[at + 6], values[at + 7] = r.r5, r.r6, r.r7, r.r8
 
 
 @law
@@ -46,7 +49,6 @@ def stick_twist(rules: Array, command: Array) -> Twist:
 
 
 @law
-def sines_of(rules: Array, state: Array) -> Sines:
-    """Return the sines and cosines of the measured joint angles."""
-    q = rates_at(state, ANGLES)
-    return sines(rules, q.r1, q.r2, q.r3, q.r4, q.r5, q.r6)
+def posture_now(rules: Array, state: Array) -> Posture:
+    """Return the arm's posture at the measured joint angles."""
+    return posture(rules, rates_at(state, ANGLES))

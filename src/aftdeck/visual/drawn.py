@@ -9,7 +9,6 @@ import numpy as np
 
 from aftdeck.details.details_of import details_of
 from aftdeck.frames import IDENTITY, Pose
-from aftdeck.kinematics.linkage import L5
 from aftdeck.scenario.model import Scenario
 from aftdeck.scenario.relative import inverted, scene_in_l
 from aftdeck.scene.bodies import PAYLOAD, bodies_of
@@ -43,7 +42,7 @@ def drawn_shapes(scenario: Scenario) -> Iterator[Drawn]:
     home: dict[str, tuple[str, Pose]] = {body.name: (body.fixed_to, body.pose) for body in scenario.worksite.bodies}
     home[model.linkage.frames[0]] = ("orbiter", mount)
     if scenario.payload is not None:
-        tip = Pose(np.array([float(model.links[L5]), 0.0, 0.0]), np.eye(3))
+        tip = Pose(model.linkage.tip, np.eye(3))
         home[PAYLOAD] = (model.linkage.frames[-1], scenario.payload.pose(tip))
     for body, details in zip(bodies_of(scenario), details_of(scenario), strict=True):
         frame, pose = home.get(body.name, (body.name, IDENTITY))

@@ -8,10 +8,10 @@ import numpy as np
 from scipy.spatial.transform import Rotation
 
 import aftdeck
+from aftdeck.arms.chain import AXIS, JOINT, PLACE, SLIDES
 from aftdeck.arrays import Array
 from aftdeck.bodies.pose import HERE, POSE
-from aftdeck.kinematics.chain.posture import AXIS, JOINT, PLACE, SLIDES, place_joints, write_jacobian
-from aftdeck.kinematics.linkage import L5
+from aftdeck.kinematics.chain.posture import place_joints, write_jacobian
 
 
 class Chain(NamedTuple):
@@ -51,9 +51,9 @@ def chain_of(arm: aftdeck.Arm) -> Chain:
     joints = np.zeros((6, JOINT))
     joints[:, PLACE : PLACE + POSE] = HERE
     joints[:, :3] = linkage.steps
-    joints[np.arange(6), AXIS - 1 + np.array(linkage.axes)] = 1.0
+    joints[:, AXIS : AXIS + 3] = linkage.axes
     hand = np.array(HERE)
-    hand[0] = linkage.links[L5]
+    hand[:3] = linkage.tip
     return Chain(joints, hand)
 
 

@@ -7,6 +7,7 @@ import pytest
 
 import aftdeck
 from aftdeck.arrays import Array
+from aftdeck.kinematics.chain.many import FLOOR
 from aftdeck.kinematics.chain.rates import Weighted, freeing_joint, rank_left, resolve, swing, weigh
 from aftdeck.tuples import MOST_JOINTS
 from tests.kinematics.chain.chains import Chain, chain_of, posture, random_chain, random_coordinates
@@ -22,7 +23,7 @@ def weights_of(chain: Chain, rng: np.random.Generator) -> Array:
 
 def rates_of(matrix: Array, twist: Array, weights: Array, follow: Array = ALIKE) -> Array:
     rates = np.empty(matrix.shape[1])
-    resolve(weigh(matrix, weights, follow), min(matrix.shape), twist, rates)
+    resolve(weigh(matrix, weights, follow), min(matrix.shape), twist, FLOOR, rates)
     return rates
 
 

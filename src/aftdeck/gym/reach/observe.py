@@ -7,7 +7,7 @@ import math
 from aftdeck.arrays import Array
 from aftdeck.gym.reach.layout import GOAL, MIDDLE, OBSERVATIONS, OBSERVED, REACHED, REWARD, SCALE
 from aftdeck.gym.terms import Floats32
-from aftdeck.kinematics.jacobian import Rates, erates, jacobi
+from aftdeck.kinematics.jacobian import erates, jacobi, of_six
 from aftdeck.kinematics.linkage import Floats, Sines, axes, place
 from aftdeck.law import law
 from aftdeck.steering.blocks import LANES, put_six, remaining_distance, remaining_rotation, sines_in, six
@@ -75,7 +75,7 @@ def normalise_lane(c: Floats, task: Floats, block: Array, work: Array, i: int) -
     px, py, pz, ox, oy, oz = six(work, OBSERVED, i)
     a = sines_in(work, i)
     r1, r2, r3, r4, r5, r6 = six(block, JOINT_RATES, i)
-    twist = erates(a, jacobi(c, a), Rates(r1, r2, r3, r4, r5, r6))
+    twist = erates(a, jacobi(c, a), of_six(r1, r2, r3, r4, r5, r6))
     ax, ay, az = _to_orbiter(c, twist.wx, twist.wy, twist.wz)
     bx, by, bz = _to_orbiter(c, twist.vx, twist.vy, twist.vz)
     _put_normalised(task, work, 0, i, (ox, oy, oz, px, py, pz))

@@ -1,6 +1,6 @@
 """Poses of a chain's joints and of its tip, and the Jacobian.
 
-A chain is an array with one row for each joint, from the foot to the tip; the constants below are indices into a row.
+A chain is an array with one row for each joint, from the foot to the tip; `arms.chain` has the indices into a row.
 The coordinate of a joint is its angle [rad] if it turns, and its displacement [m] if it slides. L is the foot's frame.
 """
 
@@ -8,19 +8,11 @@ from __future__ import annotations
 
 import numpy as np
 
+from aftdeck.arms.chain import AXIS, SLIDES
 from aftdeck.arrays import Array
 from aftdeck.bodies.pose import POSE, compose, put_turn
 from aftdeck.elementary import sincos
 from aftdeck.law import law
-
-PLACE = 0
-"""Index of the joint's pose at coordinate 0 in the frame of the joint before it, or in L: a row of `bodies.pose`."""
-AXIS = 12
-"""Index of the unit vector along the joint's axis, in the joint's own frame."""
-SLIDES = 15
-"""Index of the kind of joint: 0 if it turns about its axis, 1 if it slides along it."""
-JOINT = 16
-"""Number of values in a row."""
 
 
 @law

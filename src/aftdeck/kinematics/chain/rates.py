@@ -15,13 +15,15 @@ from typing import NamedTuple
 
 import numpy as np
 
+from aftdeck.arms.chain import SLIDES
 from aftdeck.arrays import Array
 from aftdeck.kinematics.chain.factors import factorise
-from aftdeck.kinematics.chain.posture import SLIDES, axis_of
+from aftdeck.kinematics.chain.posture import axis_of
+from aftdeck.kinematics.linkage import Floats
 from aftdeck.law import law
 
-FLOOR = 1e-7
-"""Share of the greatest singular value below which a smaller one counts as this share [1]. The rates remain finite."""
+FREE = 1e-7
+"""Least share of a joint's own rate that does not move the tip, for the joint to count as redundant [1]."""
 
 
 class Weighted(NamedTuple):
@@ -56,7 +58,7 @@ def weigh(matrix: Array, weights: Array, follow: Array) -> Weighted:
 
 
 @law
-def part_along(w: Weighted, k: int, twist: Array) -> float:
+def part_along(w: Weighted, k: int, twist: Floats) -> float:
     """Return the part of a weighted twist, or of a displacement, along column `k` of `w.left`."""
     part = 0.0
     for i in range(6):
@@ -65,22 +67,23 @@ def part_along(w: Weighted, k: int, twist: Array) -> float:
 
 
 @law
-def resolve(w: Weighted, rank: int, twist: Array, rates: Array) -> None:
+def resolve(w: Weighted, rank: int, twist: Floats, floor: float, rates: Array) -> None:
     """Write the joint rates for a twist.
 
     Args:
         w: Jacobian with weights.
         rank: rank of the chain.
         twist: (6,) angular velocity [rad/s], then translational velocity [m/s] of the tip, in L.
+        floor: share of the greatest singular value below which a smaller one counts as this share [1].
         rates: (n,) output [rad/s or m/s].
     """
     for j in range(rates.shape[0]):
         rates[j] = 0.0
-    floor = FLOOR * w.values[0]
-    if floor == 0.0:  # no joint moves the tip
+    least = floor * w.values[0]
+    if least == 0.0:  # no joint moves the tip
         return
     for k in range(rank):
-        part = part_along(w, k, twist) / max(w.values[k], floor)
+        part = part_along(w, k, twist) / max(w.values[k], least)
         for j in range(rates.shape[0]):
             rates[j] += w.right[j, k] * part
     for j in range(rates.shape[0]):
@@ -107,7 +110,7 @@ def swing(w: Weighted, rank: int, joint: int, rates: Array) -> bool:
         for j in range(rates.shape[0]):
             rates[j] -= part * w.right[j, k]
     free = rates[joint]
-    if free < FLOOR:
+    if free < FREE:
         return False
     for j in range(rates.shape[0]):
         rates[j] *= sqrt(w.weights[j]) / (sqrt(w.weights[joint]) * free)
@@ -131,17 +134,25 @@ def freeing_joint(chain: Array, joints: Array, tip: Array, w: Weighted, rank: in
         w: Jacobian with weights, in this posture.
         rank: rank of the chain.
     """
-    count = chain.shape[0]
     best, found = -1.0, 0
-    change = np.empty(6)
-    for k in range(count):
-        slope = 0.0
-        for j in range(count):
-            _column_change(chain, joints, tip, j, k, change)
-            slope += part_along(w, rank - 1, change) * sqrt(w.weights[j]) * w.right[j, rank - 1]
-        if abs(slope) > best:
-            best, found = abs(slope), k
+    for k in range(chain.shape[0]):
+        slope = abs(slope_of(chain, joints, tip, w, rank - 1, k))
+        if slope > best:
+            best, found = slope, k
     return found
+
+
+@law
+def slope_of(chain: Array, joints: Array, tip: Array, w: Weighted, value: int, k: int) -> float:
+    """Return the derivative of a singular value with respect to the coordinate of joint `k`.
+
+    Arguments as in `freeing_joint`; `value` is the number of the singular value.
+    """
+    slope, change = 0.0, np.empty(6)
+    for j in range(chain.shape[0]):
+        _column_change(chain, joints, tip, j, k, change)
+        slope += part_along(w, value, change) * sqrt(w.weights[j]) * w.right[j, value]
+    return slope
 
 
 @law

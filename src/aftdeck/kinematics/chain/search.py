@@ -12,9 +12,10 @@ from typing import NamedTuple
 
 import numpy as np
 
+from aftdeck.arms.chain import SLIDES
 from aftdeck.arrays import Array
 from aftdeck.bodies.pose import POSE
-from aftdeck.kinematics.chain.posture import SLIDES, place_joints, write_jacobian
+from aftdeck.kinematics.chain.posture import place_joints, write_jacobian
 from aftdeck.kinematics.chain.rates import Weighted, part_along, weigh
 from aftdeck.law import law
 from aftdeck.quaternions import rotation_vector

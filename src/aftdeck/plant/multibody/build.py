@@ -70,7 +70,7 @@ def arm_spec(
         parent.add_freejoint(name="orbiter")
         set_mass(parent, orbiter)
     last = add_arm(parent, model, flexible=flexible)
-    tip = [float(model.links[4]), 0.0, 0.0]
+    tip = model.linkage.tip
     last.add_site(name="tip", pos=tip)
     last.add_body(name="payload", pos=tip)
     add_payloads(spec, payloads, model.linkage.frames[-1], parent.name)

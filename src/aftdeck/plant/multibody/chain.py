@@ -87,7 +87,7 @@ class _Chain:
 
     def _joint(self, at: Body, i: int, frame: str, centre: Array) -> Body:
         """Add a joint: its motor and, on a flexible arm, the gearbox behind it."""
-        name, axis = self._model.joints[i], AXES[self._model.linkage.axes[i] - 1]
+        name, axis = self._model.joints[i], self._model.linkage.axes[i]
         if self._springs is None:
             body = self._body(at, frame, centre)
             motor = self._hinge(body, f"motor.{name}", axis)

@@ -8,7 +8,7 @@ from __future__ import annotations
 import numpy as np
 
 from aftdeck.frames import Pose
-from aftdeck.kinematics.singular import NAMES, nearest_singularity
+from aftdeck.kinematics.solver import nearest_singularity
 from aftdeck.scenario.target import Target
 from aftdeck.simulation.constants.flight import Flight
 from aftdeck.simulation.fly import fly, go
@@ -116,7 +116,7 @@ class Rehearsal:
         flight, copy = self._flight, self._copy
         near = ""
         if self._nearest < copy.arm.model.singular:
-            near = f"passing the {NAMES[self._which]} singularity at {self._nearest:.2f}"
+            near = f"passing the {copy.arm.model.singularities[self._which]} singularity at {self._nearest:.2f}"
         if copy.panel.ending == "given up":
             cause, text = self._standstill()
             return self._tried(False, cause, seconds, text, near)
@@ -138,5 +138,5 @@ class Rehearsal:
         if halt == "contact":
             return "contact", self._contact() or "a contact stops the arm"
         if cause == BY_SINGULARITY:
-            return "limit", f"the {NAMES[culprit]} singularity blocks the way"
+            return "limit", f"the {flight.scenario.arm.model.singularities[culprit]} singularity blocks the way"
         return "limit", f"{joint_label(flight.scenario.arm.joints[culprit])} reaches its {CAUSES[cause]}"

@@ -14,7 +14,6 @@ from aftdeck.bodies.pose import POSE, row_of
 from aftdeck.bodies.solid import Solid
 from aftdeck.frames import Pose, rotation_x
 from aftdeck.kinematics.frames import Frames, frames_of
-from aftdeck.kinematics.linkage import L5
 from aftdeck.matrices import lengths, product
 from aftdeck.scenario import relative
 from aftdeck.scenario.model import Scenario
@@ -194,7 +193,6 @@ def site_of(scenario: Scenario) -> Site:
     of_cargo = tuple(layout.carried([payload.name]) for payload in cargo)
     with_hand = tuple(layout.between(hand, own_parts) for own_parts in parts)
     walls = [solid.part for solid in worksite.solids if solid.frame == "orbiter"]
-    link = float(model.links[L5])
     berths = tuple(
         tuple(
             berth_of(seat, ORBITER if seat.frame == "orbiter" else 1 + len(arm.names), payload, scenario.docking_axes)
@@ -223,8 +221,8 @@ def site_of(scenario: Scenario) -> Site:
             for seat in worksite.seats
         },
         scene=scene_in_l(scenario),
-        hand=row_of(Pose(np.array([link, 0.0, 0.0]), np.eye(3))),
-        effector=row_of(Pose(np.array([link, 0.0, 0.0]), rotation_x(model.end_effector_roll))),
+        hand=row_of(Pose(model.linkage.tip, np.eye(3))),
+        effector=row_of(Pose(model.linkage.tip, rotation_x(model.end_effector_roll))),
         prong=model.equipment.prong is not None,
         bar=bar_of(model, worksite, cargo, [solid.part for solid in solids]),
         snares=snares_of(worksite, cargo),
@@ -282,7 +280,7 @@ def _attached_solids(scenario: Scenario) -> tuple[Solid, ...]:
     payload, model = scenario.payload, scenario.arm.model
     if payload is None:
         return ()
-    tip = np.array([model.links[L5], 0.0, 0.0])
+    tip = model.linkage.tip
     return tuple(
         Solid(PART, model.linkage.frames[-1], product(vertices + payload.centre, payload.rotation.T) + tip)
         for vertices in payload.solids

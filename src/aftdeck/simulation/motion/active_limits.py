@@ -6,7 +6,6 @@ The texts are values of the frame: `verify` compares them with the texts in olde
 from __future__ import annotations
 
 from aftdeck.arrays import Array
-from aftdeck.kinematics.singular import NAMES
 from aftdeck.simulation.constants.flight import Flight
 from aftdeck.simulation.frame import AT_HARD, Limit, LimitKind
 from aftdeck.simulation.log import joint_label
@@ -91,7 +90,11 @@ def _of_joints(flight: Flight, cause: int, culprit: int) -> list[Limit]:
     if cause == 0:
         return []
     if CAUSES[cause] == "singularity":
-        return [Limit("singularity", -1, f"slowed before the {NAMES[culprit]} singularity")]
+        return [
+            Limit(
+                "singularity", -1, f"slowed before the {flight.scenario.arm.model.singularities[culprit]} singularity"
+            )
+        ]
     joint = joint_label(flight.scenario.arm.joints[culprit])
     kind, text = _TEXTS[CAUSES[cause]]
     return [Limit(kind, culprit, f"{joint} {text}")]

@@ -6,14 +6,14 @@ from typing import Literal
 
 import numpy as np
 
-from aftdeck.kinematics.singular import NAMES
+from aftdeck.kinematics.freeing import joint_out
 from aftdeck.simulation.constants.flight import Flight, Pair
 from aftdeck.simulation.frame import WayOut
 from aftdeck.simulation.log import joint_label
 from aftdeck.simulation.state import State
-from aftdeck.steering.layout import COMMAND, LAW
+from aftdeck.steering.layout import ANGLES, COMMAND, LAW
 from aftdeck.steering.mode import MODES
-from aftdeck.steering.way_out import DIRECTIONS, joint_out, way_out
+from aftdeck.steering.way_out import DIRECTIONS, way_out
 
 LEAST = 1e-3
 """Least rate at which a stick direction must lead away to count as an escape direction.
@@ -42,7 +42,8 @@ def ways_out(flight: Flight, state: State, zones: tuple[int, ...], singular: tup
     if contact or (not singular and not any(zones)):
         state.panel.advice.clear()
         return (state.worksite.advice,) if contact and state.worksite.advice is not None else ()
-    found = [_from_singularity(flight, state, NAMES.index(name), zones) for name in singular]
+    names = flight.scenario.arm.model.singularities
+    found = [_from_singularity(flight, state, names.index(name), zones) for name in singular]
     found += [_from_limit(flight, state, joint) for joint, zone in enumerate(zones) if zone]
     return tuple(found)
 
@@ -68,7 +69,8 @@ def steering_of(state: State) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     command = np.zeros(COMMAND)
     command[LAW] = panel.flown if manual else 4
     steering = state.steering.copy()
-    steering[:6] = state.plant.angles
+    angles = state.plant.angles
+    steering[ANGLES : ANGLES + len(angles)] = angles
     return state.rules if manual else state.carried.rules["ORB UNL", panel.rate, 4], command, steering
 
 
@@ -107,7 +109,7 @@ def _best(state: State, cause: str, speeds: np.ndarray) -> WayOut | None:
 
 
 def _from_singularity(flight: Flight, state: State, which: int, zones: tuple[int, ...]) -> WayOut:
-    name = NAMES[which]
+    name = flight.scenario.arm.model.singularities[which]
     if not MODES[state.panel.mode].by_joint and (out := _best(state, name, _stick_speeds(state, which, -1, 0.0))):
         return out
     arm = flight.scenario.arm

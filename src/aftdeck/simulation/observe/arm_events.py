@@ -4,8 +4,7 @@ from __future__ import annotations
 
 from typing import cast
 
-from aftdeck.kinematics.observe import observe_near
-from aftdeck.kinematics.singular import NAMES
+from aftdeck.kinematics.observe import SEEN, observe_near
 from aftdeck.simulation.constants.flight import Flight
 from aftdeck.simulation.frame import AT_HARD, FREE, PAST_REACH, PAST_SOFT, Level
 from aftdeck.simulation.log import Log, joint_label
@@ -42,16 +41,20 @@ def log_arm_events(flight: Flight, state: State, log: Log) -> None:
         state.observed,
     )
     if near:
-        distances = state.observed[18:].tolist()
+        distances = state.observed[SEEN:].tolist()
         zones = _zones(flight, plant.angles.tolist())
-        singular = tuple(name for name, d in zip(NAMES, distances, strict=True) if abs(d) < model.singular)
+        singular = tuple(
+            name for name, d in zip(model.singularities, distances, strict=True) if abs(d) < model.singular
+        )
     else:
         zones, singular = _ALL_FREE, ()
     if zones != panel.zones:
         _log_zone_changes(log, flight.scenario.arm.joints, panel.zones, zones)
         panel.zones = zones
     if singular != panel.singular:
-        _log_singularities(log, panel.singular, singular, state.observed[18:].tolist())
+        _log_singularities(
+            log, panel.singular, singular, dict(zip(model.singularities, state.observed[SEEN:].tolist(), strict=True))
+        )
         panel.singular = singular
     _log_clearance_level(flight, state.worksite, panel, log)
     state.ways_out = ways_out(flight, state, zones, singular)
@@ -80,8 +83,10 @@ def _log_zone_changes(log: Log, joints: tuple[str, ...], before: Zones, zones: Z
             log.add("limit", level, f"{joint_label(joint)} {text}")
 
 
-def _log_singularities(log: Log, before: tuple[str, ...], singular: tuple[str, ...], distances: list[float]) -> None:
-    for name, distance in zip(NAMES, distances, strict=True):
+def _log_singularities(
+    log: Log, before: tuple[str, ...], singular: tuple[str, ...], distances: dict[str, float]
+) -> None:
+    for name, distance in distances.items():
         if name in singular and name not in before:
             log.add("singular", "caution", f"{name} singularity near: {abs(distance):.2f} of 1")
         elif name in before and name not in singular:

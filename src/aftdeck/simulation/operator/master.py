@@ -7,12 +7,12 @@ from __future__ import annotations
 
 import numpy as np
 
-from aftdeck.arms.equipment import Axis
+from aftdeck.arms.joints import StickAxis
 from aftdeck.arms.load import ArmModel
 from aftdeck.arrays import Array
 from aftdeck.steering.layout import HIGH, LOW, MASTER, RATE, STICKS
 
-AXES: tuple[Axis, ...] = ("RHC roll", "RHC pitch", "RHC yaw", "THC X", "THC Y", "THC Z")
+AXES: tuple[StickAxis, ...] = ("RHC roll", "RHC pitch", "RHC yaw", "THC X", "THC Y", "THC Z")
 """Stick axes, in the order of `steering.layout.STICKS`."""
 
 

@@ -13,7 +13,6 @@ import numpy as np
 from aftdeck.arrays import Array
 from aftdeck.errors import UnreachableError
 from aftdeck.kinematics.arm import Arm
-from aftdeck.kinematics.singular import NAMES
 from aftdeck.matrices import distance
 from aftdeck.scenario.model import Scenario
 from aftdeck.scenario.target import Target
@@ -105,5 +104,7 @@ def _branches(scenario: Scenario, arm: Arm, now: Array, target: Target) -> list[
 def _name(arm: Arm, now: Array, angles: Array) -> str:
     """Return a text that names the parts of the arm that are flipped at `angles` (6,) relative to `now` (6,)."""
     before, after = (arm.singularities(q) for q in (now, angles))
-    turned = [name for name, a, b in zip(NAMES, before, after, strict=True) if float(a) * float(b) < 0.0]
+    turned = [
+        name for name, a, b in zip(arm.model.singularities, before, after, strict=True) if float(a) * float(b) < 0.0
+    ]
     return f"{' and '.join(turned)} flipped" if turned else "present configuration"

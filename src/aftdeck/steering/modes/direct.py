@@ -32,4 +32,6 @@ def rates(rules: Array, command: Array, state: Array, report: Array) -> Rates:
         demanded if joint == 3 else 0.0,
         demanded if joint == 4 else 0.0,
         demanded if joint == 5 else 0.0,
+        demanded if joint == 6 else 0.0,
+        demanded if joint == 7 else 0.0,
     )

@@ -1,6 +1,6 @@
-"""MASTER: the arm follows the six joint angles of a master arm, a small arm that the operator moves.
+"""MASTER: the arm follows the joint angles of a master arm, a small arm that the operator moves.
 
-Inputs: the master arm's six angles, from sliders or a device, at any time. When the mode is selected, the master arm is
+Inputs: the master arm's angles, from sliders or a device, at any time. When the mode is selected, the master arm is
 set to the arm's angles.
 Limits: each joint's coarse or vernier rate (lower with a payload), reached by a ramp; soft stops. If the master angle
 is beyond a soft stop, the joint comes to rest at the stop. A joint that is past its stop can only move back.
@@ -15,7 +15,20 @@ from __future__ import annotations
 from aftdeck.arrays import Array
 from aftdeck.kinematics.jacobian import Rates
 from aftdeck.law import law
-from aftdeck.steering.layout import AIMS, ARRIVED, CAUSE, DT, HIGH, LIMITING_JOINT, LOW, MASTER, RATE, RATE_UP, RATES
+from aftdeck.steering.layout import (
+    AIMS,
+    ARRIVED,
+    CAUSE,
+    DT,
+    HIGH,
+    JOINTS,
+    LIMITING_JOINT,
+    LOW,
+    MASTER,
+    RATE,
+    RATE_UP,
+    RATES,
+)
 from aftdeck.steering.limiters import BY_STOP, braked
 from aftdeck.steering.ramp import ramped, rate_towards
 from aftdeck.steering.views import rates_at
@@ -41,7 +54,7 @@ def rates(rules: Array, command: Array, state: Array, report: Array) -> Rates:
     Also write the rates into the state, and write arrival and an active stop into the report.
     """
     arrived = 1.0
-    for i in range(6):
+    for i in range(int(rules[JOINTS])):
         target = _target_angle(rules, command, state, i)
         rate = ramped(rules, state, report, rate_towards(rules, state, target, i), i, BY_STOP)
         left = abs(target - state[AIMS + i])

@@ -15,10 +15,12 @@ from __future__ import annotations
 
 from aftdeck.arrays import Array
 from aftdeck.kinematics.jacobian import Twist
-from aftdeck.kinematics.linkage import lifted, tip
+from aftdeck.kinematics.linkage import lifted
+from aftdeck.kinematics.solver import tip_at
 from aftdeck.law import law
 from aftdeck.steering.aim import latraj
 from aftdeck.steering.layout import (
+    ANGLES,
     ARRIVED,
     CLOCK,
     CLOCK_RATE,
@@ -33,15 +35,16 @@ from aftdeck.steering.layout import (
     TURN_REMAINING,
 )
 from aftdeck.steering.profiles import vtopen
-from aftdeck.steering.views import sines_of
+from aftdeck.steering.views import rates_at
 
-_VELOCITY, _TURNING, _T_V1, _T_W1, _ETAP = PLAN, PLAN + 3, PLAN + 7, PLAN + 8, PLAN + 9
+_VELOCITY, _TURNING = PLAN, PLAN + 3
+_T_V1, _T_W1, _ETAP = PLANNED_END + 1, PLANNED_END + 2, PLANNED_END + 3
 
 
 @law
 def plan(rules: Array, command: Array, state: Array) -> None:
     """Plan mode 3 from the arm's present pose (OPERIN: LATRAJ and VTOPEN once), and reset the clock."""
-    aim = latraj(lifted(tip(rules, sines_of(rules, state)), state[SHOULDER_OFFSET]), command[TARGET:PLAN])
+    aim = latraj(lifted(tip_at(rules, rates_at(state, ANGLES)), state[SHOULDER_OFFSET]), command[TARGET:PLAN])
     profile = vtopen(rules, aim.distance, aim.angle)
     v, w = profile.speed, profile.turn
     command[_VELOCITY], command[_VELOCITY + 1], command[_VELOCITY + 2] = v * aim.ux, v * aim.uy, v * aim.uz

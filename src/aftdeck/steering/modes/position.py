@@ -9,8 +9,8 @@ Source: JSC-12628, introduction (mode 1), subroutine OPERIN (MODE = 1). The sour
 for. The rate profile is ours: ramps of the duration V_L/dV_L at both ends. A motion that is too short for these ramps
 has a triangular profile.
 
-Plan of this mode: the rotation of each joint (6) [rad], ETA and ramp time [s], and the full rate, as a share of the
-rotation per second [1/s]. Until the plan is computed, its first six elements contain the joints' final angles [rad].
+Plan of this mode: the rotation of each joint (8) [rad], ETA and ramp time [s], and the full rate, as a share of the
+rotation per second [1/s]. Until the plan is computed, its first elements contain the joints' final angles [rad].
 """
 
 from __future__ import annotations
@@ -26,6 +26,7 @@ from aftdeck.steering.layout import (
     CLOCK,
     CLOCK_RATE,
     DT,
+    JOINTS,
     MEASURED,
     MOTION_ACTIVE,
     PLAN,
@@ -35,8 +36,9 @@ from aftdeck.steering.layout import (
     SPEED,
     SPEED_UP,
 )
+from aftdeck.steering.views import rates_at
 
-_ROTATION, _RAMP, _FULL = PLAN, PLAN + 7, PLAN + 8
+_ROTATION, _RAMP, _FULL = PLAN, PLANNED_END + 1, PLANNED_END + 2
 
 
 @law
@@ -44,7 +46,7 @@ def plan(rules: Array, command: Array, state: Array) -> None:
     """Plan mode 1 (OPERIN): replace final angles by rotations from the present angles, add times, reset the clock."""
     ratio = 1.0
     moves = False
-    for i in range(6):
+    for i in range(int(rules[JOINTS])):
         command[_ROTATION + i] -= state[ANGLES + i]
         rotation = abs(command[_ROTATION + i])
         moves = moves or rotation > 0.0
@@ -118,7 +120,7 @@ def rates(rules: Array, command: Array, state: Array, report: Array) -> Rates:
         report[ARRIVED] = 1.0 if time >= command[PLANNED_END] - 1e-9 else 0.0
         return _share(k, command, _ROTATION)
     share = 0.0
-    for i in range(6):
+    for i in range(int(rules[JOINTS])):
         share = max(share, abs(state[MEASURED + i]) / rules[RATE + i])
     slower = rules[DT] * rules[SPEED_UP] / rules[SPEED]
     k = max(share - slower, 0.0) / share if share > 0.0 else 0.0
@@ -127,5 +129,6 @@ def rates(rules: Array, command: Array, state: Array, report: Array) -> Rates:
 
 @law
 def _share(k: float, of: Array, at: int) -> Rates:
-    """Return `k` times six values of an array, from index `at` on."""
-    return Rates(k * of[at], k * of[at + 1], k * of[at + 2], k * of[at + 3], k * of[at + 4], k * of[at + 5])
+    """Return `k` times the values of the joints that begin at index `at` of an array."""
+    r = rates_at(of, at)
+    return Rates(k * r.r1, k * r.r2, k * r.r3, k * r.r4, k * r.r5, k * r.r6, k * r.r7, k * r.r8)

@@ -15,7 +15,7 @@ from __future__ import annotations
 from aftdeck.arrays import Array
 from aftdeck.kinematics.jacobian import Rates
 from aftdeck.law import law
-from aftdeck.steering.layout import DRIVE, JOINT, KEPT, RATE, RATES
+from aftdeck.steering.layout import DRIVE, JOINT, JOINTS, KEPT, RATE, RATES
 from aftdeck.steering.limiters import BY_HARD_STOP
 from aftdeck.steering.ramp import ramped, rate_towards
 from aftdeck.steering.views import rates_at
@@ -28,7 +28,7 @@ def rates(rules: Array, command: Array, state: Array, report: Array) -> Rates:
     Also write the rates into the state. If a hard stop acts, write it into the report.
     """
     selected = int(command[JOINT])
-    for i in range(6):
+    for i in range(int(rules[JOINTS])):
         driven = command[DRIVE] * rules[RATE + i]
         demanded = driven if i == selected else rate_towards(rules, state, command[KEPT + i], i)
         state[RATES + i] = ramped(rules, state, report, demanded, i, BY_HARD_STOP)

@@ -14,14 +14,13 @@ from aftdeck.arrays import Array, Mask
 from aftdeck.bodies.pose import POSE, moved, turned_back
 from aftdeck.bodies.vector import Vector, dot, minus, vector_at
 from aftdeck.kinematics.frames import place_frames
-from aftdeck.kinematics.jacobian import Twist, erates, jacobi
-from aftdeck.kinematics.linkage import place
-from aftdeck.kinematics.rates import rmsrat
+from aftdeck.kinematics.jacobian import Twist
+from aftdeck.kinematics.solver import rates_of, tip_of, twist_of
 from aftdeck.law import law
 from aftdeck.steering.layout import ANGLES, DT, RATES, SHOULDER_OFFSET, TWIST
 from aftdeck.steering.limiters import ratlmt
 from aftdeck.steering.msteer import NEAR_FLOOR, cut, feed_back, scaled
-from aftdeck.steering.views import rates_at, sines_of
+from aftdeck.steering.views import posture_now, rates_at
 from aftdeck.worksite.sliding.projection import LEAST, OUTWARD, POINT, slide
 from aftdeck.worksite.watch.clearance_monitor import minimum_clearance_group
 from aftdeck.worksite.watch.found import CLEARANCE
@@ -68,18 +67,18 @@ def slid(
 
     Args:
         rules: parameters of the steering.
-        joints: (6, 4) joints of the arm, as `kinematics.frames.Frames.joints`.
+        joints: (n, 9) joints of the arm, as `kinematics.frames.Frames.joints`.
         last: (12,) pose of the last joint's frame, in L.
         height: height of the telescope after the step [m].
         turning: share of the commanded rotation that is kept [1].
         found: (k, 7) touches of the held payload.
         steering: state of the steering; its rates and twist are changed if they would move the payload into a wall.
     """
-    a = sines_of(rules, steering)
-    x, y, z = place(rules, a)
-    tip = Vector(x, y, z - steering[SHOULDER_OFFSET])
+    a = posture_now(rules, steering)
+    here = tip_of(rules, a)
+    tip = Vector(here.x, here.y, here.z - steering[SHOULDER_OFFSET])
     rates = rates_at(steering, RATES)
-    twist = erates(a, jacobi(rules, a), rates)
+    twist = twist_of(rules, a, rates)
     demanded = Twist(turning * twist.wx, turning * twist.wy, turning * twist.wz, twist.vx, twist.vy, twist.vz)
     least_speeds = found.copy()
     for k in range(PASSES):
@@ -90,7 +89,7 @@ def slid(
             if lacking <= EXACT and (changed <= EXACT or k == 0):
                 return
         twist = slide(least_speeds, tip, demanded)
-        rates = rmsrat(rules, a, twist, NEAR_FLOOR)
+        rates = rates_of(rules, a, twist, NEAR_FLOOR)
         ratio = ratlmt(rules, steering, a, rates).ratio
         twist = scaled(twist, ratio)
         feed_back(steering, cut(rules, rates, ratio), twist, 0.0)
@@ -117,11 +116,12 @@ def _correct_least_speeds(
         The greatest amount by which a point falls short of its least speed, and the greatest change of a speed in
         `least_speeds` [m/s].
     """
-    rows, after = np.empty((9, POSE)), np.empty(6)
-    for i in range(6):
+    count = joints.shape[0]
+    rows, after = np.empty((1 + count, POSE)), np.empty(count)
+    for i in range(count):
         after[i] = steering[ANGLES + i] + steering[RATES + i] * rules[DT]
     place_frames(joints, after, height, 0.0, rows)
-    now, lacking, changed = rows[6], -np.inf, 0.0
+    now, lacking, changed = rows[count], -np.inf, 0.0
     for k in range(len(found)):
         row = found[k]
         point, outward = vector_at(row, POINT), vector_at(row, OUTWARD)

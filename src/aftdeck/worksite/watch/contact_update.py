@@ -35,7 +35,7 @@ def place_everything(
     """Compute the poses of all coordinate frames: the orbiter's, the arm's, ``space``, and one for each payload.
 
     Args:
-        joints: (6, 4) as `kinematics.frames.Frames.joints`.
+        joints: (n, 9) as `kinematics.frames.Frames.joints`.
         scene: (12,) the orbiter's frame in L.
         axes: (3, 3) the orbiter's axes (forward, starboard, down) in L, as columns.
         orbiter: (3,) displacement of the orbiter along its axes [m].
@@ -43,7 +43,7 @@ def place_everything(
             (the payload floats).
         rides: (c, 12) pose of each payload in the frame that carries it. For a floating payload, the pose is in a
             frame that is fixed in space and coincided with L at the start.
-        angles: (6,) joint angles [rad].
+        angles: (n,) joint angles [rad].
         stand: height of the shoulder above L's origin [m].
         prong: y2 of the prong's inner face [m].
         true: (n, 12) poses of the arm's frames in L, without the prong's; (0, 12) if they follow from the joint angles.
@@ -56,7 +56,7 @@ def place_everything(
         place_frames(joints, angles, stand, prong, frames[1:space])
     else:
         frames[1:space] = true
-        place_prong(prong, frames[1:space])
+        place_prong(prong, joints.shape[0], frames[1:space])
     for k in range(POSE):
         frames[0, k] = frames[space, k] = scene[k]
     for i in range(3):
