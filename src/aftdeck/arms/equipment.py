@@ -1,4 +1,4 @@
-"""Equipment of an arm besides its six joints: telescope, prong of the end effector, and axes of the master arm.
+"""Equipment of an arm besides its joints: telescope, prong of the end effector, and axes of the master arm.
 
 Simulation, drawing and checks use this description of the equipment. They need not know the family of the arm.
 """
@@ -50,16 +50,16 @@ class Equipment(NamedTuple):
     Attributes:
         telescope: telescope under the arm; None if the arm has no telescope.
         prong: prong of the end effector; None if the end effector has snares.
-        master: for each joint of the master arm, the axis of the hand controllers that moves the joint. These axes are
-            used if no other device gives the master arm's angles. Each RHC axis moves the wrist joint that rotates
-            about the same axis.
+        master: for each joint of the master arm, the axis of the hand controllers that moves the joint; None if no axis
+            moves it. These axes are used if no other device gives the master arm's angles. Each RHC axis moves the
+            wrist joint that rotates about the same axis.
         covered: whether the arm's solids are covers that enclose round parts. If so, neighbouring solids overlap at
             joints.
     """
 
     telescope: Telescope | None
     prong: Prong | None
-    master: tuple[Axis, ...]
+    master: tuple[Axis | None, ...]
     covered: bool
 
 

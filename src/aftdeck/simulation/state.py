@@ -72,7 +72,7 @@ class Panel(StatePart):
     """Final error of the motion that ended in this step, as text; "" if the target was reached or no motion ended."""
     blocked: int = 0
     """Number of steps for which an automatic motion has been at a standstill."""
-    zones: tuple[int, int, int, int, int, int] = (0, 0, 0, 0, 0, 0)
+    zones: tuple[int, ...] = (0, 0, 0, 0, 0, 0)
     singular: tuple[str, ...] = ()
     clearance: Level = "info"
     """Alarm level of the minimum clearance."""
@@ -214,7 +214,7 @@ def new_state(flight: Flight, carried: SteeringSetup) -> State:
         panel=panel,
         script=Script(attached=0 if scenario.payload is None else 1),
         delayed_inputs=[Inputs()] * scenario.delay,
-        plant=new_plant_state(),
+        plant=new_plant_state(len(scenario.arm.joints)),
         worksite=new_worksite_state(flight.site, flight.prong),
         views=views,
         steering=np.zeros(STATE),

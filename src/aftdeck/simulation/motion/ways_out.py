@@ -11,7 +11,7 @@ from aftdeck.simulation.constants.flight import Flight, Pair
 from aftdeck.simulation.frame import WayOut
 from aftdeck.simulation.log import joint_label
 from aftdeck.simulation.state import State
-from aftdeck.steering.layout import COMMAND, LAW
+from aftdeck.steering.layout import ANGLES, COMMAND, LAW
 from aftdeck.steering.mode import MODES
 from aftdeck.steering.way_out import DIRECTIONS, joint_out, way_out
 
@@ -68,7 +68,7 @@ def steering_of(state: State) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     command = np.zeros(COMMAND)
     command[LAW] = panel.flown if manual else 4
     steering = state.steering.copy()
-    steering[:6] = state.plant.angles
+    steering[ANGLES : ANGLES + len(state.plant.angles)] = state.plant.angles
     return state.rules if manual else state.carried.rules["ORB UNL", panel.rate, 4], command, steering
 
 

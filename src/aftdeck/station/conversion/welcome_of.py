@@ -41,7 +41,7 @@ def welcome_of(scenario: Scenario, *, demo: bool) -> Welcome:
         JointInfo(
             name,
             label,
-            stick=AXES[axis],
+            stick=None if axis is None else AXES[axis],
             hard=_pair(model.limits.hard[i]),
             soft=_pair(model.limits.soft[i]),
             reach=_pair(model.limits.reach[i]),

@@ -22,8 +22,8 @@ class JointInfo(msgspec.Struct, frozen=True):
     """Name in the arm file: ``shoulder_yaw``."""
     label: str
     """Name on the page: ``Sho yaw``."""
-    stick: str
-    """Axis of the hand controllers that moves this joint of the master arm: ``THC Y``."""
+    stick: str | None
+    """Axis of the hand controllers that moves this joint of the master arm: ``THC Y``; null if no axis moves it."""
     hard: tuple[float, float]
     soft: tuple[float, float]
     reach: tuple[float, float]
