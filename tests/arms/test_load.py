@@ -10,8 +10,9 @@ import numpy as np
 import pytest
 
 import aftdeck
-from aftdeck.arms.load import built_in
+from aftdeck.arms.load import HERE, built_in, model_of
 from aftdeck.errors import ArmError, ScenarioError
+from aftdeck.files import Text, read
 from tests.reference.tables import table
 
 LIMITS = table("srms-limits")
@@ -127,6 +128,21 @@ def test_invalid_arm_file_is_rejected_with_its_line(tmp_path: Path, old: str, ne
     found = problems(tmp_path, old, new)
     assert any(re.search(pattern, problem) for problem in found), found
     assert all(re.match(r"bad\.toml:\d+: |bad\.toml: the field '\w+' is missing", problem) for problem in found), found
+
+
+@pytest.mark.parametrize("count", [1, 5, 7, 8])
+@pytest.mark.parametrize(
+    "place", ["servo.gear_ratio", "servo.holding_torque", "flexibility.gearboxes", "flexibility.friction"]
+)
+def test_list_of_drives_needs_one_value_for_each_joint(place: str, count: int) -> None:
+    text = aftdeck.load_arm("srms").model.text
+    changed = re.sub(rf"(\[{re.escape(place)}\]\nvalue = ).*", rf"\1{[2000] * count}", text)
+    assert changed != text
+    with pytest.raises(ScenarioError) as caught:
+        model_of(Text("bad.toml", changed), lambda name: read(HERE / name))
+    (problem,) = caught.value.problems
+    line = line_of(changed, f"[{place}]") + 1
+    assert re.match(rf"bad\.toml:{line}: {re.escape(place)}\.value: .*6 values.*got {count}", problem), problem
 
 
 def test_all_errors_of_an_arm_file_are_reported_together(tmp_path: Path) -> None:

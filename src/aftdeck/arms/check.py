@@ -36,7 +36,7 @@ def arm_problems(file: ArmFile) -> list[Problem]:
     rates = JointRates(*(np.array(getattr(file.rates, name).value) for name in JointRates._fields))
     found += limit_problems(file.joints, limits, rates)
     if len(set(file.joints)) < len(file.joints):
-        found.append(Problem(("joints",), f"has to be six different names, got {', '.join(file.joints)}"))
+        found.append(Problem(("joints",), f"has to be different names, got {', '.join(file.joints)}"))
     if not found and isinstance(file, HeadingArmFile):
         found = _block_problems(file)
     if isinstance(file, YawArmFile):

@@ -54,7 +54,7 @@ class Viewing:
         self._poses = ScenePoses(scenario)
         self._worksite = scenario.worksite.bodies
         self._picture = scene_update(bodies_of(scenario), _time(began_ns)).encode()
-        foot = _seven(self._poses.arm.at(np.zeros(6))[:7])
+        foot = _seven(self._poses.arm.at(np.zeros(len(self._joints)))[:7])
         frames = scenario.arm.model.linkage.frames
         hand: Seven = (float(scenario.arm.model.links[L5]), 0.0, 0.0, 1.0, 0.0, 0.0, 0.0)
         still = [

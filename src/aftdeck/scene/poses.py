@@ -55,7 +55,7 @@ class ArmPoses:
         """Return seven numbers per frame (x, y, z [m], w, x, y, z).
 
         Args:
-            angles: (6,) joint angles [rad].
+            angles: (n,) joint angles [rad].
             stand: height of the shoulder above L's origin [m]; None for the height in the arm's model.
             prong: y2 of the prong's inner face [m]; None for the open prong.
             bends: (b, 6) bends of the parts that bend (`kinematics.bending`); None for an unbent arm.
@@ -87,7 +87,7 @@ class ArmPoses:
             links.append((names[k], names[k + 1], (x, y, down, turn[0], turn[1], turn[2], turn[3])))
         if STAND in names:
             links.append((names[0], STAND, (0.0, 0.0, -height, 1.0, 0.0, 0.0, 0.0)))
-            links.append((names[6], PRONG, (0.0, opening, 0.0, 1.0, 0.0, 0.0, 0.0)))
+            links.append((names[len(self._axes)], PRONG, (0.0, opening, 0.0, 1.0, 0.0, 0.0, 0.0)))
         return links
 
     def _telescope_and_prong(self, stand: float | None, prong: float | None) -> tuple[float, float]:

@@ -780,6 +780,8 @@ export interface Pane {
 export interface WorkInfo {
   /** Kind of the arm's end effector. */
   readonly hand: 'prong' | 'snares';
+  /** Names of the end effector's bodies: the one that carries the tip, then a prong. */
+  readonly effector: readonly string[];
   /** Telescope under the arm; null if the arm has no telescope. */
   readonly stand: StandInfo | null;
   /** Names of the payloads; each payload has a body of the same name. */

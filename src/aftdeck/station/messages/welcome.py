@@ -102,6 +102,8 @@ class WorkInfo(msgspec.Struct, frozen=True):
 
     hand: Literal["prong", "snares"]
     """Kind of the arm's end effector."""
+    effector: tuple[str, ...]
+    """Names of the end effector's bodies: the one that carries the tip, then a prong."""
     stand: StandInfo | None
     """Telescope under the arm; null if the arm has no telescope."""
     cargo: tuple[str, ...]

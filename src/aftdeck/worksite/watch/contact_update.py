@@ -35,7 +35,7 @@ def place_everything(
     """Compute the poses of all coordinate frames: the orbiter's, the arm's, ``space``, and one for each payload.
 
     Args:
-        joints: (6, 4) as `kinematics.frames.Frames.joints`.
+        joints: (n, 4) as `kinematics.frames.Frames.joints`.
         scene: (12,) the orbiter's frame in L.
         axes: (3, 3) the orbiter's axes (forward, starboard, down) in L, as columns.
         orbiter: (3,) displacement of the orbiter along its axes [m].
@@ -43,10 +43,10 @@ def place_everything(
             (the payload floats).
         rides: (c, 12) pose of each payload in the frame that carries it. For a floating payload, the pose is in a
             frame that is fixed in space and coincided with L at the start.
-        angles: (6,) joint angles [rad].
+        angles: (n,) joint angles [rad].
         stand: height of the shoulder above L's origin [m].
         prong: y2 of the prong's inner face [m].
-        true: (n, 12) poses of the arm's frames in L, without the prong's; (0, 12) if they follow from the joint angles.
+        true: (f, 12) poses of the arm's frames in L, without the prong's; (0, 12) if they follow from the joint angles.
         base: (12,) pose of L in the frame that is fixed in space and coincided with L at the start, apart from
             `orbiter`.
         frames: (F, 12) output: poses in L.
