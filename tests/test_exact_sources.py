@@ -30,7 +30,7 @@ EXEMPT = {
     "arms/links.py": "only plants with masses depend on it",
     "arms/chain_check.py": "decides whether a file is accepted",
     "arms/masses.py": "only plants with masses depend on it",
-    "arms/rank.py": "a count",
+    "arms/rank.py": "a count, and a number of two digits",
     "bodies/hexahedron_check.py": "decides whether a solid is accepted",
     "bodies/mass_properties.py": "only plants with masses depend on it",
     "bodies/overlap.py": "decides whether a start is accepted",

@@ -10,8 +10,10 @@ import numpy as np
 import pytest
 
 import aftdeck
-from aftdeck.arms.load import built_in
+from aftdeck.arms.load import HERE, built_in, model_of
+from aftdeck.arms.model import ChainArmFile, YawArmFile
 from aftdeck.errors import ArmError, ScenarioError
+from aftdeck.files import Text, read
 from tests.reference.tables import table
 
 LIMITS = table("srms-limits")
@@ -52,6 +54,7 @@ def test_arrays_of_an_arm_are_read_only() -> None:
 @pytest.mark.parametrize("name", built_in())
 def test_constants_of_a_built_in_arm_have_sources(name: str) -> None:
     file = aftdeck.load_arm(name).model.source
+    assert not isinstance(file, ChainArmFile)
     assert all(getattr(file.geometry, field).source for field in file.geometry.__struct_fields__)
     assert all(row.source for row in file.por)
 
@@ -129,6 +132,21 @@ def test_invalid_arm_file_is_rejected_with_its_line(tmp_path: Path, old: str, ne
     assert all(re.match(r"bad\.toml:\d+: |bad\.toml: the field '\w+' is missing", problem) for problem in found), found
 
 
+@pytest.mark.parametrize("count", [1, 5, 7, 8])
+@pytest.mark.parametrize(
+    "place", ["servo.gear_ratio", "servo.holding_torque", "flexibility.gearboxes", "flexibility.friction"]
+)
+def test_list_of_drives_needs_one_value_for_each_joint(place: str, count: int) -> None:
+    text = aftdeck.load_arm("srms").model.text
+    changed = re.sub(rf"(\[{re.escape(place)}\]\nvalue = ).*", rf"\1{[2000] * count}", text)
+    assert changed != text
+    with pytest.raises(ScenarioError) as caught:
+        model_of(Text("bad.toml", changed), lambda name: read(HERE / name))
+    (problem,) = caught.value.problems
+    line = line_of(changed, f"[{place}]") + 1
+    assert re.match(rf"bad\.toml:{line}: {re.escape(place)}\.value: .*6 values.*got {count}", problem), problem
+
+
 def test_all_errors_of_an_arm_file_are_reported_together(tmp_path: Path) -> None:
     """Errors of single values are reported together, and so are contradictions between values."""
     for changes in (
@@ -157,6 +175,7 @@ def line_of(text: str, what: str) -> int:
 
 def test_masses_of_the_parts_add_up_to_about_the_mass_in_the_crew_s_manual() -> None:
     file = aftdeck.load_arm("srms").model.source
+    assert isinstance(file, YawArmFile)
     assert file.masses.total.value == pytest.approx(905 * 0.45359237, rel=0.03)
 
 

@@ -52,7 +52,16 @@ def condition(name: str, value: float, limit: float, text: str, unit: Unit = "m"
 def info(hand: Any = "snares", stand: bool = False) -> WorkInfo:
     """Return a worksite with two payloads and a berth."""
     telescope = StandInfo(2.4, 5.5, 0.3) if stand else None
-    return WorkInfo(hand, telescope, ("payload", "free flyer"), (SeatInfo("bay", "Cargo bay"),), PARTS, 0.6, 0.15)
+    return WorkInfo(
+        hand,
+        ("arm.wrist_roll",),
+        telescope,
+        ("payload", "free flyer"),
+        (SeatInfo("bay", "Cargo bay"),),
+        PARTS,
+        0.6,
+        0.15,
+    )
 
 
 def work(**changes: Any) -> Work:

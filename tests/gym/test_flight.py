@@ -23,9 +23,10 @@ from aftdeck.simulation.run import Simulation
 SHIPPED = Path(__file__).resolve().parents[2] / "examples" / "learn"
 
 
-def proportional(environment: str, gain: float) -> Policy:
+def proportional(environment: str, gain: float, joints: int = 6) -> Policy:
     """Return a policy whose sticks are `gain` times the motion to go, both translation and rotation."""
-    observations, actions = SIZES[environment]
+    sizes, actions = SIZES[environment]
+    observations = sizes[0] if environment == REACH else sizes[joints - 1]
     weight = np.zeros((actions, observations))
     weight[range(6), range(6)] = gain
     return Policy(
@@ -96,6 +97,8 @@ def test_policy_flies_only_scenarios_that_suit_it() -> None:
         pilot_of_policy(reach, aftdeck.load_scenario("first-flight"))
     with pytest.raises(InputError, match="'tutorial' has no step for Dock"):
         pilot_of_policy(dock, aftdeck.load_scenario("tutorial"))
+    with pytest.raises(InputError, match="takes 32 observations; aftdeck/Capture-v0 has 30 for the 6 joints of 'srms'"):
+        pilot_of_policy(proportional("aftdeck/Capture-v0", 1.0, joints=7), aftdeck.load_scenario("tutorial"))
 
 
 def test_shipped_policy_of_reach_succeeds_in_95_percent_of_episodes() -> None:

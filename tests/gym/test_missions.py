@@ -13,13 +13,15 @@ from gymnasium.utils.env_checker import check_env
 
 import aftdeck.gym
 from aftdeck.errors import InputError, ScenarioError
-from aftdeck.gym.mission.definition import OBSERVATIONS
+from aftdeck.gym.mission.definition import observations
 from aftdeck.gym.mission.env import CaptureEnv, DockEnv, ExtractEnv, MissionEnv
 from aftdeck.gym.terms import Floats32
 from tests.each import number
 
 ALL = (CaptureEnv, ExtractEnv, DockEnv)
-CONDITIONS = sum(group.size for group in OBSERVATIONS[: [group.name for group in OBSERVATIONS].index("conditions")])
+GROUPS = observations(6)
+"""What is observed of the built-in arms."""
+CONDITIONS = sum(group.size for group in GROUPS[: [group.name for group in GROUPS].index("conditions")])
 """Index of the share of conditions that hold."""
 
 
@@ -216,3 +218,9 @@ def test_impossible_action_is_rejected_and_changes_nothing() -> None:
 def test_step_before_the_first_reset_is_rejected() -> None:
     with pytest.raises(InputError, match="before the first reset"):
         DockEnv().step(np.zeros(7, dtype=np.float32))
+
+
+@pytest.mark.parametrize("joints", [1, 5, 7, 8])
+def test_observation_has_an_angle_and_a_rate_for_each_joint(joints: int) -> None:
+    found = {group.name: group.size for group in observations(joints)}
+    assert found == {group.name: group.size for group in GROUPS} | {"joint angles": joints, "joint rates": joints}

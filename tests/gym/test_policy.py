@@ -20,10 +20,10 @@ from tests.each import each, seeds
 REACH = "aftdeck/Reach-v0"
 
 
-def made(environment: str = REACH, activation: Activation = "tanh", **changes: Any) -> Policy:
+def made(environment: str = REACH, activation: Activation = "tanh", inputs: int = 24, **changes: Any) -> Policy:
     """Return a policy with one hidden layer of 5 and random weights."""
     random = np.random.Generator(np.random.PCG64(1))
-    inputs, outputs = SIZES[environment]
+    outputs = SIZES[environment].actions
     layers = (
         Layer(random.standard_normal((5, inputs)), random.standard_normal(5)),
         Layer(0.1 * random.standard_normal((outputs, 5)), np.zeros(outputs)),
@@ -53,11 +53,13 @@ def test_policy_acts_on_rows_as_on_single_observations() -> None:
     assert policy.act(seen) == pytest.approx(np.stack([policy.act(row) for row in seen]), abs=1e-7)
 
 
-@pytest.mark.parametrize("environment", SIZES)
-def test_saved_policy_acts_as_before(environment: str, tmp_path: Path) -> None:
-    policy, path = made(environment, keywords={"plant": "rigid"}), tmp_path / "policy"
+@pytest.mark.parametrize(
+    ("environment", "inputs"), [(name, n) for name, size in SIZES.items() for n in size.observations]
+)
+def test_saved_policy_acts_as_before(environment: str, inputs: int, tmp_path: Path) -> None:
+    policy, path = made(environment, inputs=inputs, keywords={"plant": "rigid"}), tmp_path / "policy"
     save_policy(policy, path)
-    loaded, seen = load_policy(path), np.ones(SIZES[environment][0], dtype=np.float32)
+    loaded, seen = load_policy(path), np.ones(inputs, dtype=np.float32)
     assert loaded.act(seen) == pytest.approx(policy.act(seen), abs=1e-6)
     assert (loaded.environment, loaded.activation, dict(loaded.keywords)) == (environment, "tanh", {"plant": "rigid"})
 
@@ -87,6 +89,16 @@ def test_policy_that_does_not_fit_is_rejected(changes: dict[str, Any], message: 
     with pytest.raises(InputError, match=f"policy.npz: {message}"):
         save_policy(Policy(**{**fields, **changes}), tmp_path / "policy.npz")
     assert not list(tmp_path.iterdir())
+
+
+def test_policy_of_a_mission_needs_the_observations_of_some_arm(tmp_path: Path) -> None:
+    name, sizes = "aftdeck/Capture-v0", SIZES["aftdeck/Capture-v0"].observations
+    for inputs in range(min(sizes) - 1, max(sizes) + 2):
+        allowed = contextlib.nullcontext() if inputs in sizes else pytest.raises(InputError, match="mean has shape")
+        with allowed:
+            save_policy(made(name, inputs=inputs), tmp_path / "policy.npz")
+    with pytest.raises(InputError, match="std has shape"):
+        save_policy(made(name, inputs=sizes[0], std=np.ones(sizes[1])), tmp_path / "policy.npz")
 
 
 def written(path: Path, change: Callable[[dict[str, Any]], object]) -> Path:

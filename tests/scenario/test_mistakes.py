@@ -80,7 +80,7 @@ HEADS = [
 ]
 TABLES = [
     ("[limits]\nhard = 3", r"a\.toml:5: limits\.hard: .*`array`.*`int`"),
-    ("[limits]\nhard = [[0, 1]]", r"a\.toml:5: limits\.hard: .*`array`.*6.*1"),
+    ("[limits]\nhard = [[0, 1]]", r"a\.toml:5: limits\.hard: .*6 values.*got 1"),
     (
         "[limits]\nreach = [[-9, 9], [0.1, 2], [-2, -0.1], [-1, 1], [-1, 1], [-1, 1]]",
         r"a\.toml:4: limits: shoulder_yaw: reach.*soft.*hard.*hard.*-180.*180",
@@ -185,6 +185,12 @@ PHASES = [
         "mode = 2\ntarget = { position = [1, 1, 1], frame = 'moon' }",
         r"a\.toml:6: phase\[0\]\.target\.frame: .*'moon'.* L, orbiter, panel, bay",
     ),
+    ("mode = 2\ntarget = { joints = [0, 1, -1, 0, 0, 0, 0] }", r"a\.toml:6: phase\[0\]\.target\.joints: .*6.*got 7"),
+    ("mode = 'MASTER'\nmaster = [0, 1]", r"a\.toml:6: phase\[0\]\.master: .*6 values.*got 2"),
+    (
+        "mode = 4\nduration = 1\nlimits = { acceleration = [1, 1, 1, 1, 1] }",
+        r"a\.toml:7: phase\[0\]\.limits\.acceleration: .*6 values.*got 5",
+    ),
     ("mode = 8\ndrive = 1\nduration = 1", r"a\.toml:4: phase\[0\]: .*SINGLE.*joint"),
     ("mode = 8\njoint = 'thumb'\nduration = 1", r"a\.toml:6: phase\[0\]\.joint: .*'thumb'.*shoulder_yaw"),
     ("mode = 8\njoint = 'wrist_roll'", r"a\.toml:4: phase\[0\]: .*SINGLE.*joint_at.*drive"),
@@ -204,7 +210,10 @@ PHASES = [
 STARTS = [
     ("", r"a\.toml: .*'initial'"),
     ("[initial]", r"a\.toml:2: initial: .*joints.*pose"),
-    ("[initial]\njoints = [0, 1]", r"a\.toml:3: initial\.joints: .*`array`.*6.*2"),
+    ("[initial]\njoints = [0, 1]", r"a\.toml:3: initial\.joints: .*6 values.*wrist_roll.*got 2"),
+    (INITIAL + "rates = [0, 0, 0, 0, 0, 0, 0]", r"a\.toml:4: initial\.rates: .*6 values.*got 7"),
+    ("[initial]\npose = { position = [10, 0, -3], roll = 0 }\nnear = [0, 1]", r"a\.toml:4: initial\.near: .*6.*got 2"),
+    (INITIAL + "[limits]\ncoarse = [0.01]", r"a\.toml:5: limits\.coarse: .*6 values.*got 1"),
     (
         "[initial]\njoints = [0, 9, 0, 0, 0, 0]",
         r"a\.toml:3: initial\.joints: shoulder_pitch.*515\.662 deg.*hard.*-2.*145 deg",

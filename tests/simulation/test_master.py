@@ -9,7 +9,8 @@ import aftdeck
 from aftdeck import Inputs
 from aftdeck.arrays import Array
 from aftdeck.scenario.model import Scenario
-from aftdeck.simulation.operator.master import AXES, axes_of
+from aftdeck.simulation.operator.master import AXES, axes_of, turn_master
+from aftdeck.steering.layout import COMMAND, HIGH, LOW, MASTER, RATE, RULES, STICKS
 from tests.steering.flying import BAY, scenario
 
 START = {"srms": BAY, "concept-1972": (20.0, 60.0, -100.0, 5.0, -30.0, 10.0)}
@@ -20,8 +21,9 @@ def master_scenario(name: str) -> Scenario:
     return scenario(START[name], f'arm = "{name}"\nmode = "MASTER"')
 
 
-def pushed(axis: int, by: float) -> Inputs:
+def pushed(axis: int | None, by: float) -> Inputs:
     """Return inputs with one deflected axis of the sticks."""
+    assert axis is not None, "an axis moves each joint of these arms"
     sticks = [0.0] * 6
     sticks[axis] = by
     roll, pitch, yaw, x, y, z = sticks
@@ -32,9 +34,9 @@ def pushed(axis: int, by: float) -> Inputs:
 def test_each_axis_moves_one_master_joint_and_rhc_the_wrist(name: str) -> None:
     made = master_scenario(name)
     axes = axes_of(made.arm.model)
-    assert sorted(axes) == list(range(6))
+    assert set(axes) == set(range(len(AXES))) and len(axes) == len(made.arm.joints)
     for joint, axis in zip(made.arm.joints[3:], axes[3:], strict=True):
-        assert AXES[axis] == "RHC " + joint.removeprefix("wrist_").replace("heading", "yaw")
+        assert axis is not None and AXES[axis] == "RHC " + joint.removeprefix("wrist_").replace("heading", "yaw")
 
 
 @ARMS
@@ -91,3 +93,15 @@ def test_sticks_do_not_move_master_in_other_modes() -> None:
     for _ in range(200):
         angles = sim.step(Inputs()).angles
     assert sim.step(Inputs(mode="MASTER")).work.master == pytest.approx(angles)
+
+
+@pytest.mark.parametrize("joint", [0, 2])
+def test_sticks_move_only_the_joints_that_an_axis_moves(joint: int) -> None:
+    axes = tuple(k if k == joint else None for k in range(5))
+    rules, command, period = np.zeros(RULES), np.zeros(COMMAND), 0.5
+    rules[RATE : RATE + 5], rules[LOW : LOW + 5], rules[HIGH : HIGH + 5] = 0.1, -2.0, 2.0
+    command[STICKS : STICKS + 6], command[MASTER : MASTER + 5] = 1.0, [0.5, 0.6, 0.7, 0.8, 0.9]
+    expected = command[MASTER : MASTER + 5].copy()
+    expected[joint] += 0.1 * period
+    turn_master(axes, rules, command, period)
+    assert command[MASTER : MASTER + 5].tolist() == expected.tolist()

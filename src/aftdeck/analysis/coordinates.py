@@ -44,11 +44,11 @@ def opened(model: ArmModel) -> float:
 
 
 def of_all(values: ArrayLike, motors: Indices, others: Array, what: str) -> Array:
-    """Return values of all coordinates (..., n); if six are given, those of the joints' motors.
+    """Return values of all coordinates (..., n); if as many as there are joints are given, those of their motors.
 
     Args:
         values: values of all coordinates, or of the motors.
-        motors: (6,) places of the motors.
+        motors: (j,) places of the motors.
         others: (n,) values of the other coordinates.
         what: description of the values, for the error message.
 
@@ -67,7 +67,7 @@ def of_all(values: ArrayLike, motors: Indices, others: Array, what: str) -> Arra
 
 
 def check_stops(model: ArmModel, angles: Array) -> None:
-    """Check that joint angles (..., 6) [rad] are within the hard stops.
+    """Check that joint angles (..., j) [rad] are within the hard stops.
 
     Raises:
         LimitError: an angle is not.

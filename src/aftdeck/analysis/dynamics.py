@@ -40,7 +40,7 @@ class Dynamics:
     its rotation vector since the start, along L's axes at the start. Its rates are the velocity of L's origin along the
     same axes, and its angular velocity along its own.
 
-    Wherever a method takes values of all coordinates (..., n), it also takes those of the six joints (..., 6); the
+    Wherever a method takes values of all coordinates (..., n), it also takes those of the arm's joints (..., j); the
     others are then 0, so that the arm is unbent, and the prong is open. Arrays can have any number of leading
     dimensions, and are broadcast together.
 
@@ -125,10 +125,11 @@ class Dynamics:
         return found
 
     def modes(self, angles: ArrayLike) -> Modes:
-        """Return the natural modes at unbent joint angles (6,) [rad], with the brakes on.
+        """Return the natural modes at unbent joint angles (j,) [rad], with the brakes on.
 
         Raises:
-            InputError: the arm is rigid, and therefore has no modes, or the angles are not six finite numbers.
+            InputError: the arm is rigid, and therefore has no modes, or the angles are not a finite number for each
+                joint.
             LimitError: an angle is beyond the joint's hard stops.
         """
         if not self.flexible:
@@ -156,13 +157,14 @@ class Dynamics:
         States: ``position.COORDINATE``, ``rate.COORDINATE`` and, with brakes, their deflections ``brake.JOINT`` [rad].
 
         Args:
-            angles: (6,) joint angles [rad].
+            angles: (j,) joint angles [rad].
             engaged: ``servos``: rate servos that are commanded. ``hold``: servos that return the joints to angles, as
                 those of joints that are not commanded do; with ``rate.JOINT`` besides, SINGLE and MASTER. ``brakes``.
             period: control period [s].
 
         Raises:
-            InputError: `engaged` or the period is none of these, or the angles are not six finite numbers.
+            InputError: `engaged` or the period is none of these, or the angles are not a finite number for each
+                joint.
             LimitError: an angle is beyond the joint's hard stops.
         """
         if engaged not in get_args(Engaged):
@@ -199,10 +201,10 @@ class Dynamics:
             yield at
 
     def _pose(self, angles: ArrayLike) -> Array:
-        """Place the arm at rest, unbent, and return the joint angles (6,)."""
-        given = finite(angles, "joint angles")
-        if given.shape != (6,):
-            raise InputError(f"joint angles: expected shape (6,), got {given.shape}")
+        """Place the arm at rest, unbent, and return the joint angles (j,)."""
+        given, joints = finite(angles, "joint angles"), (len(self.arm.joints),)
+        if given.shape != joints:
+            raise InputError(f"joint angles: expected shape {joints}, got {given.shape}")
         (q,) = self._given(positions=given)
         next(self._states(q))
         return given

@@ -24,7 +24,7 @@ PITCH = 1
 
 def without_friction(model: ArmModel) -> ArmModel:
     """Return an arm without friction in motors and gearboxes, and without steps of encoders and tachometers."""
-    springs, exact = model.flexibility, np.zeros(6)
+    springs, exact = model.flexibility, np.zeros(len(model.joints))
     return replace(
         model,
         servo=servo_needed(model)._replace(friction=exact, encoder_step=exact, tachometer_step=exact),
@@ -34,7 +34,8 @@ def without_friction(model: ArmModel) -> ArmModel:
 
 def smooth(model: ArmModel) -> ArmModel:
     """Return an arm without friction, as `without_friction`, and without stops."""
-    return replace(without_friction(model), limits=model.limits._replace(hard=np.tile([-1e6, 1e6], (6, 1))))
+    limits = model.limits._replace(hard=np.full_like(model.limits.hard, [-1e6, 1e6]))
+    return replace(without_friction(model), limits=limits)
 
 
 def given_payload(payload: object) -> MassProperties | None:

@@ -44,7 +44,7 @@ def linearised(
     Args:
         spec: MuJoCo's specification of the arm, with its payload.
         arm: the arm, without friction (`given.smooth`).
-        angles: (6,) joint angles [rad].
+        angles: (j,) joint angles [rad].
         jacobian: (6, n) motion of the tip in space, along the axes of L.
         in_l: (6, n) motion of the tip relative to L.
         engaged: what acts on the joints.
@@ -90,11 +90,11 @@ class _Sampled:
             [(model, with_solids.compile())], arm, Travel(-np.inf, np.inf, 0.0), period
         )  # the telescope has no stops, either
         self._view, self._jacobian, self._engaged = View(model, arm), jacobian, engaged
-        self._state = new_plant_state()
+        self._state = new_plant_state(len(joints))
         self._state.angles[:], self._state.stand.position = angles, float(arm.links[0])
         prong = opened(arm)
         self._plant.begin(self._state, 0, np.empty((0, 12)), np.empty((0, 6)), prong)
-        self._view.set_joints(angles, np.zeros(6), float(arm.links[0]), prong)
+        self._view.set_joints(angles, np.zeros(len(joints)), float(arm.links[0]), prong)
         self._around = Surroundings(prong=prong)
         self._rest, self._angles = self._view.qpos.copy(), angles
         self._brakes = [int(model.actuator(f"brake.{name}").actadr[0]) for name in joints]
@@ -132,10 +132,10 @@ class _Sampled:
 
     def measured(self) -> Array:
         """Return the rows of C for encoders, at the joints' outputs, and tachometers, on the motors."""
-        n = self._view.model.nv
-        rows = np.zeros((12, len(self.states)))
+        n, joints = self._view.model.nv, len(self._turned)
+        rows = np.zeros((2 * joints, len(self.states)))
         for i, places in enumerate(self._turned):
-            rows[i, places], rows[6 + i, n + places[0]] = 1.0, 1.0
+            rows[i, places], rows[joints + i, n + places[0]] = 1.0, 1.0
         return rows
 
     def _after(self, values: Array) -> Array:
@@ -163,11 +163,12 @@ class _Sampled:
         return np.concatenate([moved, data.qvel, deflected, bodies.torques])
 
     def _commands(self, inputs: Array) -> tuple[Array, Array]:
-        """Return the commanded rates and the angles to which the servos turn the joints, each (6,)."""
+        """Return the commanded rates and the angles to which the servos turn the joints, each (j,)."""
+        joints = len(self._angles)
         match self._engaged:
             case "servos":
-                return inputs + COMMANDED, np.full(6, np.nan)
+                return inputs + COMMANDED, np.full(joints, np.nan)
             case "hold":
-                return inputs[:6], self._angles + inputs[6:]
+                return inputs[:joints], self._angles + inputs[joints:]
             case "brakes":
-                return np.zeros(6), np.full(6, np.nan)
+                return np.zeros(joints), np.full(joints, np.nan)

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from aftdeck.arms.rank import Joint, rank_of
+from aftdeck.arms.rank import Joint, best_of
 from aftdeck.arrays import Array
 from aftdeck.matrices import length
 from aftdeck.tuples import MOST_JOINTS
@@ -25,17 +25,20 @@ HAND = MOST_JOINTS * JOINT
 """(12,) pose of the tip in the last joint's frame."""
 WEIGHTS = HAND + 12
 """(8,) weights of the joints: a joint with twice the weight takes twice the share of a motion; slides have the square
-of the chain's length besides."""
+of `SCALE` besides."""
 FOLLOW = WEIGHTS + MOST_JOINTS
-"""Weight of an angular velocity, in comparison with a velocity divided by the chain's length [1]. It matters only for a
+"""Weight of an angular velocity, in comparison with a velocity divided by `SCALE` [1]. It matters only for a
 chain that cannot make every twist."""
 SCALE = FOLLOW + 1
-"""The chain's length [m]: the sum of the distances from joint to joint and to the tip."""
+"""Length that counts as much as an angle of 1 rad [m]: a third of the sum of the distances from joint to joint and to
+the tip. Arms of the usual shape then turn and move their tips about equally well."""
 COUNT = SCALE + 1
 """Number of joints."""
 RANK = COUNT + 1
 """Number of independent twists that the chain can make in most postures."""
-CHAIN = RANK + 1
+EVEN = RANK + 1
+"""Last singular value of the rank as a share of the first, in the best posture: the distance from a singularity is 1."""
+CHAIN = EVEN + 1
 """Number of values in a packed chain."""
 
 TWIST = 6
@@ -55,12 +58,13 @@ def packed_chain(joints: tuple[Joint, ...], tip: Array, turning: float) -> Array
     scale = length(tip.tolist())
     for joint in joints[1:]:
         scale += length(joint.step.tolist())
+    scale /= 3.0
     for k, joint in enumerate(joints):
         row = packed[k * JOINT : (k + 1) * JOINT]
         row[PLACE : PLACE + 3], row[PLACE + 3 : PLACE + 12] = joint.step, _UNTURNED
         row[AXIS : AXIS + 3], row[SLIDES] = joint.axis, joint.slides
         packed[WEIGHTS + k] = joint.weight * (scale * scale if joint.slides else 1.0)
     packed[HAND : HAND + 3], packed[HAND + 3 : HAND + 12] = tip, _UNTURNED
-    packed[SCALE], packed[COUNT], packed[RANK] = scale, len(joints), rank_of(joints, tip)
+    packed[SCALE], packed[COUNT], (packed[RANK], packed[EVEN]) = scale, len(joints), best_of(joints, tip, scale)
     packed[FOLLOW] = 1.0 if packed[RANK] == TWIST else turning
     return packed

@@ -4,12 +4,15 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from aftdeck.arms.geometry import FOOT, PRONG, STAND
 from aftdeck.arms.joints import JointFile
 from aftdeck.arms.limits import limit_problems, limits_of, rates_of
 from aftdeck.arms.model import ChainArmFile
 from aftdeck.files import Problem
 from aftdeck.matrices import length
 
+RESERVED = tuple(name.removeprefix("arm.") for name in (FOOT, STAND, PRONG))
+"""Names that no joint can have, because the frames of foot, telescope and prong have them."""
 SHORTEST = 1e-3
 """Least length of the vector along a joint's axis [1], and of an arm [m] (assumed)."""
 
@@ -19,6 +22,9 @@ def joint_problems(file: ChainArmFile) -> list[Problem]:
     found = []
     for i, joint in enumerate(file.joint):
         found += [Problem(("joint", i, *where), what) for where, what in _of_joint(joint)]
+        if joint.name in RESERVED:
+            what = f"{joint.name!r} names another frame of an arm; expected another name than {', '.join(RESERVED)}"
+            found.append(Problem(("joint", i, "name"), what))
         if joint.name in file.joints[:i]:
             found.append(Problem(("joint", i, "name"), f"{joint.name!r} is already the name of another joint"))
     for problem in limit_problems(file.joints, limits_of(file), rates_of(file)):

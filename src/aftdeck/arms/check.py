@@ -36,7 +36,7 @@ def arm_problems(file: ArmFile) -> list[Problem]:
     else:
         found += limit_problems(file.joints, limits_of(file), rates_of(file))
         if len(set(file.joints)) < len(file.joints):
-            found.append(Problem(("joints",), f"has to be six different names, got {', '.join(file.joints)}"))
+            found.append(Problem(("joints",), f"has to be different names, got {', '.join(file.joints)}"))
         found += _mass_problems(file)
     if not found and isinstance(file, HeadingArmFile):
         found = _block_problems(file)

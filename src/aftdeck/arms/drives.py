@@ -25,8 +25,8 @@ from aftdeck.units import (
 )
 
 _T = TypeVar("_T")
-Six = tuple[_T, _T, _T, _T, _T, _T]
-"""Values of the six joints, from base to tip."""
+ByJoint = tuple[_T, ...]
+"""Values of the joints, from base to tip. `arms.dynamics` checks that there is one for each joint."""
 
 GearRatio = Annotated[float, Bounds(1.0, 1e5, "the Shuttle's joints have ratios of 739 to 1842")]
 """Turns of the motor for one turn of the joint."""
@@ -51,21 +51,21 @@ RateStep = Annotated[AngularRate, Bounds(0.0, 0.1, "a joint's greatest rates are
 
 
 class ServoFile(Part, frozen=True):
-    """Servos and brakes of the six joints. Torques, gains, rates and angles are those of the joint's output."""
+    """Servos and brakes of the joints. Torques, gains, rates and angles are those of the joint's output."""
 
-    gear_ratio: Constant[Six[GearRatio]]
-    motor_inertia: Constant[Six[RotorInertia]]
+    gear_ratio: Constant[ByJoint[GearRatio]]
+    motor_inertia: Constant[ByJoint[RotorInertia]]
     """Moment of inertia of the motor's rotor; the joint has this value times the square of the gear ratio."""
-    gain: Constant[Six[ServoGain]]
-    torque_limit: Constant[Six[JointTorque]]
+    gain: Constant[ByJoint[ServoGain]]
+    torque_limit: Constant[ByJoint[JointTorque]]
     """Greatest torque of the motor; a greater load drives the joint back."""
-    friction: Constant[Six[Friction]]
-    holding_torque: Constant[Six[JointTorque]]
+    friction: Constant[ByJoint[Friction]]
+    holding_torque: Constant[ByJoint[JointTorque]]
     """Torque above which the brake slips; at least the torque limit."""
-    hold_gain: Constant[Six[HoldGain]]
-    hold_share: Constant[Six[HoldShare]]
-    encoder_step: Constant[Six[AngleStep]]
-    tachometer_step: Constant[Six[RateStep]]
+    hold_gain: Constant[ByJoint[HoldGain]]
+    hold_share: Constant[ByJoint[HoldShare]]
+    encoder_step: Constant[ByJoint[AngleStep]]
+    tachometer_step: Constant[ByJoint[RateStep]]
 
 
 GearboxStiffness = Annotated[
@@ -82,7 +82,7 @@ DampingTime = Annotated[Time, Bounds(0.0, 1.0, "with 1 s, a mode of 0.3 Hz is da
 class FlexibilityFile(Part, frozen=True):
     """Springs of a flexible arm: gearboxes, booms, and the base between the vehicle and the first joint."""
 
-    gearboxes: Constant[Six[GearboxStiffness]]
+    gearboxes: Constant[ByJoint[GearboxStiffness]]
     booms_bending: Constant[tuple[BeamRigidity, BeamRigidity]]
     """EI of upper and lower boom, equal in both planes."""
     booms_torsion: Constant[tuple[BeamRigidity, BeamRigidity]]
@@ -90,7 +90,7 @@ class FlexibilityFile(Part, frozen=True):
     base: Constant[tuple[GearboxStiffness, GearboxStiffness, GearboxStiffness]]
     """Stiffness of the base about x, y and z of L."""
     damping: Constant[DampingTime]
-    friction: Constant[Six[Friction]] | None = None
+    friction: Constant[ByJoint[Friction]] | None = None
     """Friction in the gearboxes, which acts while their windup changes; without it, they have no friction."""
 
 

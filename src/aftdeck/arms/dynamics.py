@@ -6,6 +6,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from aftdeck.arms.by_joint import misfit
 from aftdeck.arms.drives import ServoFile
 from aftdeck.arms.geometry import frozen
 from aftdeck.arms.limits import JointRates
@@ -15,7 +16,7 @@ from aftdeck.files import Problem
 
 
 class Servo(NamedTuple):
-    """Servos and brakes of the six joints, at the joints' outputs. Arrays are read-only, (6,).
+    """Servos and brakes of the joints, at the joints' outputs. Arrays are read-only, (n,).
 
     Attributes:
         armature: inertia of the motor's rotor as the joint feels it, J N^2 [kg m2].
@@ -60,11 +61,11 @@ class Flexibility(NamedTuple):
     """Springs of an arm. Arrays are read-only.
 
     Attributes:
-        gearboxes: (6,) stiffness of the gearboxes [N m/rad].
+        gearboxes: (n,) stiffness of the gearboxes [N m/rad].
         bending: (2,) EI of upper and lower boom [N m2].
         torsion: (2,) GJ of upper and lower boom [N m2].
         base: (3,) stiffness of the base about x, y and z of L [N m/rad].
-        friction: (6,) torque of friction in the gearboxes while their windup changes [N m]; 0 for none.
+        friction: (n,) torque of friction in the gearboxes while their windup changes [N m]; 0 for none.
         damping: damping of each spring divided by its stiffness [s].
     """
 
@@ -117,14 +118,21 @@ def flexibility_of(file: ArmFile) -> Flexibility | None:
         frozen(f.booms_bending.value),
         frozen(f.booms_torsion.value),
         frozen(f.base.value),
-        frozen(np.zeros(6) if f.friction is None else f.friction.value),
+        frozen(np.zeros(len(file.joints)) if f.friction is None else f.friction.value),
         float(f.damping.value),
     )
 
 
 def drive_problems(file: ArmFile) -> list[Problem]:
-    """Return a problem for each brake that is weaker than its motor."""
-    return [] if file.servo is None else _brake_problems(file.joints, file.servo)
+    """Return a problem for each list without one value for each joint; else, for each brake weaker than its motor."""
+    found = [
+        Problem((table, name, "value"), why)
+        for table, names in (("servo", ServoFile.__struct_fields__), ("flexibility", ("gearboxes", "friction")))
+        for name in names
+        if (constant := getattr(getattr(file, table, None), name, None))
+        and (why := misfit(file.joints, constant.value))
+    ]
+    return found or ([] if file.servo is None else _brake_problems(file.joints, file.servo))
 
 
 def _brake_problems(joints: tuple[str, ...], servo: ServoFile) -> list[Problem]:

@@ -20,6 +20,8 @@ HEADING_PITCH_ROLL, PITCH_YAW_ROLL, GENERAL = 0.0, 1.0, 2.0
 NAMED = ("shoulder", "elbow", "wrist")
 """Singularities of the arms that have a closed form."""
 
+FOOT = "arm.base"
+"""Name of the frame that is fixed in L."""
 STAND, PRONG = "arm.stand", "arm.prong"
 """Names of two additional frames of an arm with a telescope and a prong. The frame of the telescope's moving tube has
 L's axes; its origin is on L's axis 3 at the shoulder's height. The prong's frame has the axes of the last joint's
@@ -120,7 +122,13 @@ def _of_chain(file: ChainArmFile) -> Linkage:
     """
     tip = frozen(file.tip.value)
     joints = tuple(
-        Joint(frozen(joint.step), frozen(joint.axis) / length(joint.axis), isinstance(joint, Slide), joint.weight)
+        Joint(
+            frozen(joint.step),
+            frozen(joint.axis) / length(joint.axis),
+            isinstance(joint, Slide),
+            joint.weight,
+            joint.hard,
+        )
         for joint in file.joint
     )
     return Linkage(
@@ -137,7 +145,7 @@ def _of_chain(file: ChainArmFile) -> Linkage:
 
 def frames_of(*joints: str) -> tuple[str, ...]:
     """Return the names of the frames of a linkage: the foot's, and one for each joint."""
-    return "arm.base", *(f"arm.{joint}" for joint in joints)
+    return FOOT, *(f"arm.{joint}" for joint in joints)
 
 
 def _axes(*numbers: int) -> Array:

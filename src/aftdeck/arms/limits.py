@@ -15,7 +15,7 @@ from aftdeck.files import Problem
 
 
 class Limits(NamedTuple):
-    """Joint limits in panel angles, each (6, 2) [rad]: least and greatest.
+    """Joint limits in panel angles, each (n, 2) [rad]: least and greatest.
 
     Attributes:
         hard: mechanical stops.
@@ -32,10 +32,10 @@ class JointRates(NamedTuple):
     """Joint rate limits and the greatest joint accelerations.
 
     Attributes:
-        servo: (6,) greatest rates of the servos [rad/s]; RATLMT uses them in modes 2 to 7.
-        coarse: (6,) limits for the rate setting coarse, in modes 1 and 8, DIRECT and MASTER [rad/s].
-        vernier: (6,) limits for the rate setting vernier, in the same modes as `coarse` [rad/s].
-        acceleration: (6,) greatest joint accelerations, applied in modes 1 to 7 [rad/s2].
+        servo: (n,) greatest rates of the servos [rad/s]; RATLMT uses them in modes 2 to 7.
+        coarse: (n,) limits for the rate setting coarse, in modes 1 and 8, DIRECT and MASTER [rad/s].
+        vernier: (n,) limits for the rate setting vernier, in the same modes as `coarse` [rad/s].
+        acceleration: (n,) greatest joint accelerations, applied in modes 1 to 7 [rad/s2].
     """
 
     servo: Array

@@ -311,7 +311,7 @@ class ChainArmFile(Part, frozen=True, kw_only=True, tag_field="family", tag="cha
     singular: Constant[Threshold]
     """Distance from a singularity below which the SINGULAR lamp lights."""
     turning: Annotated[float, Bounds(1e-3, 1e3, "a motion that counts 1000 times as much as another is exact")] = 0.1
-    """Weight of a rotation [rad], in comparison with a translation divided by the arm's length, in what a chain follows
+    """Weight of a rotation [rad], in comparison with a translation divided by `chain.SCALE`, in what a chain follows
     that cannot make every motion."""
     por: Annotated[tuple[PorRow, ...], msgspec.Meta(min_length=1)]
     servo: ServoFile | None = None

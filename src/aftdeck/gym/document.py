@@ -8,6 +8,7 @@ from collections.abc import Iterator, Sequence
 from aftdeck.gym.mission import definition as mission
 from aftdeck.gym.reach import definition as reach
 from aftdeck.gym.terms import Control, Observed, Rewarded
+from aftdeck.kinematics.arm import load_arm
 from aftdeck.made_tables import renew_file
 
 
@@ -36,7 +37,8 @@ def _lines() -> Iterator[str]:
     yield "\n### Capture, Extract, Dock: actions\n"
     yield from _controls(mission.CAPTURE.controls)
     yield "\n### Capture, Extract, Dock: observations\n"
-    yield from _observations(mission.OBSERVATIONS)
+    yield f"The numbers are those of an arm with {len(load_arm('srms').joints)} joints.\n"
+    yield from _observations(mission.observations(len(load_arm("srms").joints)))
     yield "\n### Capture, Extract, Dock: rewards\n"
     yield from _rewards(mission.REWARDS)
     yield "\n### Capture, Extract, Dock: starts\n"

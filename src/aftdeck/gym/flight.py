@@ -49,7 +49,7 @@ def pilot_of_policy(policy: Policy, scenario: Scenario) -> Callable[[], Callable
 
     Raises:
         InputError: the policy cannot fly this scenario, because it has no goals of Reach or no step of the
-            environment's kind.
+            environment's kind, or because its arm has another number of joints.
     """
     if policy.environment == REACH:
         if not has_goals(scenario):

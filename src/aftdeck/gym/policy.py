@@ -15,10 +15,10 @@ import numpy as np
 from aftdeck.arrays import Array
 from aftdeck.errors import InputError
 from aftdeck.gym.choices import one_of
-from aftdeck.gym.mission.definition import MISSIONS
-from aftdeck.gym.mission.definition import OBSERVATIONS as MISSION_OBSERVATIONS
+from aftdeck.gym.mission.definition import MISSIONS, observations
 from aftdeck.gym.reach import definition as reach
 from aftdeck.gym.terms import Floats32, Observed
+from aftdeck.tuples import MOST_JOINTS
 
 MAX_LAYERS = 32
 """Greatest number of layers; assumed."""
@@ -31,11 +31,27 @@ def _count(groups: Sequence[Observed]) -> int:
     return sum(group.size for group in groups)
 
 
-SIZES: Mapping[str, tuple[int, int]] = MappingProxyType(
-    {reach.ID: (_count(reach.OBSERVATIONS), len(reach.CONTROLS))}
-    | {id: (_count(MISSION_OBSERVATIONS), len(one.controls)) for id, one in MISSIONS.items()}
+class Sizes(NamedTuple):
+    """Sizes of an environment.
+
+    Attributes:
+        observations: numbers of observations that it can have: one for Reach, whose arm has six joints; else, those for
+            an arm with one joint, with two joints, and so on.
+        actions: number of actions.
+    """
+
+    observations: tuple[int, ...]
+    actions: int
+
+
+SIZES: Mapping[str, Sizes] = MappingProxyType(
+    {reach.ID: Sizes((_count(reach.OBSERVATIONS),), len(reach.CONTROLS))}
+    | {
+        id: Sizes(tuple(_count(observations(n)) for n in range(1, MOST_JOINTS + 1)), len(one.controls))
+        for id, one in MISSIONS.items()
+    }
 )
-"""Numbers of observations and of actions of each environment, by its id."""
+"""Sizes of each environment, by its id."""
 
 
 class Layer(NamedTuple):
@@ -102,15 +118,16 @@ def check_policy(policy: Policy, where: str) -> None:
     one_of(f"{where}: activation", policy.activation, get_args(Activation))
     for name in policy.keywords:
         one_of(f"{where}: keyword", name, ("plant",) if environment == reach.ID else ("plant", "scenario"))
-    observations, actions = SIZES[environment]
+    sizes, actions = SIZES[environment]
     if not 1 <= len(policy.layers) <= MAX_LAYERS:
         raise InputError(f"{where}: got {len(policy.layers)} layers, expected 1 to {MAX_LAYERS}")
+    size = policy.mean.size if policy.mean.size in sizes else sizes[-1]
     for name, array in (("mean", policy.mean), ("std", policy.std)):
-        if array.shape != (observations,):
-            raise InputError(f"{where}: {name} has shape {array.shape}, expected ({observations},) for {environment}")
+        if array.shape != (size,):
+            allowed = " or ".join(f"({n},)" for n in (sizes if name == "mean" else (size,)))
+            raise InputError(f"{where}: {name} has shape {array.shape}, expected {allowed} for {environment}")
     if not (policy.std > 0.0).all():
         raise InputError(f"{where}: std has the value {policy.std.min():g}, expected numbers above 0")
-    size = observations
     for k, (weight, bias) in enumerate(policy.layers):
         if weight.shape != (bias.size, size) or bias.shape != (bias.size,):
             raise InputError(

@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 
 from aftdeck.arms.geometry import GENERAL
 from aftdeck.arms.load import ArmModel
+from aftdeck.arms.rank import spread
 from aftdeck.arrays import Array
 from aftdeck.errors import UnreachableError
 from aftdeck.kinematics.chain.many import distances_many, forward_many, jacobian_many, rates_many, search_from
@@ -21,7 +22,6 @@ REACHED = 1e-9
 """Greatest miss of a pose that counts as reached [m], [rad]."""
 STARTS = 12
 """Number of poses from which a search begins, besides the given one, before a pose counts as out of reach."""
-_PRIMES = (2.0, 3.0, 5.0, 7.0, 11.0, 13.0, 17.0, 19.0)
 
 
 class Rank(NamedTuple):
@@ -68,7 +68,7 @@ class GeneralForm:
             raise pose_error(outcome, value, pose, near)
         limits = self._model.limits.hard if limited else self._free()
         best, least = np.inf, (np.inf, np.inf)
-        for start in (near, *_starts(self._model.limits.hard)):
+        for start in (near, *spread(self._model.limits.hard, STARTS)):
             q = start.copy()
             found = search_from(self._links, pose, limits, q)
             if max(found.distance, found.turn) <= REACHED:
@@ -90,13 +90,6 @@ class GeneralForm:
         limits = self._model.limits.hard.copy()
         limits[~np.array(self._model.linkage.slides)] = -np.inf, np.inf
         return limits
-
-
-def _starts(limits: Array) -> Array:
-    """Return poses (STARTS, n) that are spread between limits (n, 2): the middle, then multiples of roots of primes."""
-    steps = np.sqrt(np.array(_PRIMES[: len(limits)]))
-    shares = (0.5 + np.arange(STARTS)[:, None] * steps) % 1.0
-    return np.asarray(limits[:, 0] + shares * (limits[:, 1] - limits[:, 0]))
 
 
 def solver_of(model: ArmModel) -> ClosedForm | GeneralForm:

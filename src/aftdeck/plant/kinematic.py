@@ -18,14 +18,14 @@ def follow(commanded_rates: Array, period: float, stops: Array, angles: Array, r
     """Move the joints at the commanded rates for one control period, as far as the hard stops allow.
 
     Args:
-        commanded_rates: (6,) commanded rates [rad/s].
+        commanded_rates: (n,) commanded rates [rad/s].
         period: control period [s].
-        stops: (6, 2) hard stops [rad].
-        angles: (6,) joint angles [rad]; updated in place.
-        rates: (6,) output: actual rates [rad/s].
-        commanded: (6,) angles that the joints would have without stops [rad]; updated in place.
+        stops: (n, 2) hard stops [rad].
+        angles: (n,) joint angles [rad]; updated in place.
+        rates: (n,) output: actual rates [rad/s].
+        commanded: (n,) angles that the joints would have without stops [rad]; updated in place.
     """
-    for i in range(6):
+    for i in range(angles.shape[0]):
         before, after = angles[i], angles[i] + commanded_rates[i] * period
         angles[i] = min(max(after, min(stops[i, 0], before)), max(stops[i, 1], before))
         rates[i] = commanded_rates[i] if angles[i] == after else (angles[i] - before) / period
@@ -38,7 +38,7 @@ class KinematicPlant(NamedTuple):
     Not modelled: servos, brakes that slip, flexibility, the orbiter's motion, contact forces.
 
     Attributes:
-        stops: (6, 2) hard stops [rad].
+        stops: (n, 2) hard stops [rad].
         travel: range and rate of the telescope.
         period: control period [s].
     """

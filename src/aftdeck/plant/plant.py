@@ -152,7 +152,7 @@ class Plant(Protocol):
 
         Args:
             state: changed in place.
-            rates: (6,) commanded joint rates [rad/s].
+            rates: (n,) commanded joint rates [rad/s].
             drive: drive of the telescope, -1 to +1; + lengthens it.
             around: what acts on the bodies besides servos and brakes.
             brakes: whether the brakes of all joints are on.

@@ -52,13 +52,13 @@ class Bodies(StatePart):
 
     Attributes:
         physics: MuJoCo's integration state: time, positions, velocities, activations, controls and warm start.
-        holds: (6,) angles to which the servos turn the joints [rad]; NaN for none. They are the angles of joints that
+        holds: (n,) angles to which the servos turn the joints [rad]; NaN for none. They are the angles of joints that
             are not commanded and, in modes that steer joint angles, those to which the commanded rates lead.
-        frames: (n, 12) true poses of the arm's frames in L, in the order of `ArmModel.frames`.
+        frames: (f, 12) true poses of the arm's frames in L, in the order of `ArmModel.frames`.
         bends: (b, 6) bends of base and booms (`kinematics.bending`), in the order of `flexures_of`; (0, 6) if rigid.
-        reference: (6,) rates from which the steering's acceleration limits count [rad/s].
-        torques: (6,) torques of motors and brakes about the joints, at the end of the step [N m].
-        overdriven: (6,) 1 for joints that turn against a motor or brake at its greatest torque.
+        reference: (n,) rates from which the steering's acceleration limits count [rad/s].
+        torques: (n,) torques of motors and brakes about the joints, at the end of the step [N m].
+        overdriven: (n,) 1 for joints that turn against a motor or brake at its greatest torque.
         payloads: (c, 12) poses of the worksite's payloads, in the frame that is fixed in space and coincided with L at
             the start of the run.
         motions: (c, 6) their motions: angular velocity in the payload's axes [rad/s], then velocity of its centre in
@@ -103,9 +103,9 @@ class PlantState(StatePart):
     """State of a plant.
 
     Attributes:
-        angles: (6,) joint angles, as the encoders measure them [rad].
-        rates: (6,) joint rates, as the tachometers measure them [rad/s].
-        commanded: (6,) angles that the joints would have without stops, from all commanded rates so far [rad].
+        angles: (n,) joint angles, as the encoders measure them [rad].
+        rates: (n,) joint rates, as the tachometers measure them [rad/s].
+        commanded: (n,) angles that the joints would have without stops, from all commanded rates so far [rad].
         stand: telescope; its position is the shoulder's height above L's origin.
         base: (12,) pose of L in the frame that is fixed in space and coincided with L at the start of the run. On the
             kinematic plant, L does not turn, and the worksite counts its displacement.
@@ -121,7 +121,7 @@ class PlantState(StatePart):
 
     @property
     def reference(self) -> Array:
-        """Rates (6,) from which the steering's acceleration limits count [rad/s].
+        """Rates (n,) from which the steering's acceleration limits count [rad/s].
 
         They are the measured rates on the kinematic plant, and the commanded rates with masses: a servo turns its joint
         with a torque in proportion to the difference of the two, which an acceleration limit that counts from the
@@ -132,15 +132,15 @@ class PlantState(StatePart):
 
     @property
     def holds(self) -> Array:
-        """Angles (6,) to which servos turn the joints, as `Bodies.holds`; the joint angles on the kinematic plant."""
+        """Angles (n,) to which servos turn the joints, as `Bodies.holds`; the joint angles on the kinematic plant."""
         return self.angles if self.bodies is None else self.bodies.holds
 
     @property
     def frames(self) -> Array:
-        """True poses of the arm's frames in L, (n, 12); `FOLLOWING` if they follow from the joint angles."""
+        """True poses of the arm's frames in L, (f, 12); `FOLLOWING` if they follow from the joint angles."""
         return FOLLOWING if self.bodies is None else self.bodies.frames
 
 
-def new_plant_state() -> PlantState:
-    """Return a state with all joints at rest at zero, without bodies."""
-    return PlantState(np.zeros(6), np.zeros(6), np.zeros(6), Slide(0.0), np.array(HERE))
+def new_plant_state(joints: int) -> PlantState:
+    """Return the state of an arm with this number of joints, all at rest at zero, without bodies."""
+    return PlantState(np.zeros(joints), np.zeros(joints), np.zeros(joints), Slide(0.0), np.array(HERE))

@@ -13,6 +13,7 @@ from aftdeck.arrays import Array
 from aftdeck.errors import AftdeckError, ScenarioError
 from aftdeck.files import Where
 from aftdeck.kinematics.arm import Arm
+from aftdeck.scenario.by_joint import fits
 from aftdeck.scenario.model import RateLimits
 from aftdeck.scenario.problems import Problems
 from aftdeck.scenario.schema import LimitsOverride, PorOverride, RatesOverride
@@ -41,20 +42,25 @@ def limited_arm(problems: Problems, name: str, over: LimitsOverride, sources: So
 
 
 def _limited(problems: Problems, model: ArmModel, over: LimitsOverride) -> ArmModel:
-    limits = Limits(**{name: _pick(over, name, own) for name, own in model.limits._asdict().items()})
-    rates = _rates(model, over)
+    where = ("limits",)
+    limits = Limits(
+        **{name: _pick(problems, model, over, name, own, where) for name, own in model.limits._asdict().items()}
+    )
+    rates = _rates(problems, model, over, where)
     for problem in limit_problems(model.joints, limits, rates):
         problems.add(("limits", *problem.where[1:]), problem.what)
     return replace(model, limits=limits, rates=rates)
 
 
-def _pick(over: RatesOverride, name: str, own: Array) -> Array:
+def _pick(problems: Problems, model: ArmModel, over: RatesOverride, name: str, own: Array, where: Where) -> Array:
     given = getattr(over, name)
-    return own if given is None else frozen(given)
+    return own if given is None or not fits(problems, model.joints, given, (*where, name)) else frozen(given)
 
 
-def _rates(model: ArmModel, over: RatesOverride) -> JointRates:
-    return JointRates(**{name: _pick(over, name, own) for name, own in model.rates._asdict().items()})
+def _rates(problems: Problems, model: ArmModel, over: RatesOverride, where: Where) -> JointRates:
+    return JointRates(
+        **{name: _pick(problems, model, over, name, own, where) for name, own in model.rates._asdict().items()}
+    )
 
 
 def phase_limits(
@@ -72,7 +78,7 @@ def phase_limits(
     """
     if over == RatesOverride():
         return None
-    rates = _rates(model, over)
+    rates = _rates(problems, model, over, where)
     for problem in limit_problems(model.joints, model.limits, rates):
         problems.add((*where, *problem.where[1:]), problem.what)
     given = {name: value for name in PorOverride.__struct_fields__ if (value := getattr(over.por, name)) is not None}

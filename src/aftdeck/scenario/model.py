@@ -49,7 +49,7 @@ class PhasePlan:
         rotation: RHC deflections (roll, pitch, yaw), each in [-1, 1].
         velocity: V_C', which replaces the THC [m/s]; if None, the THC is used.
         angular_velocity: omega_C', which replaces the RHC [rad/s]; if None, the RHC is used.
-        joint: selected joint, 0 to 5.
+        joint: selected joint, from 0.
         drive: SINGLE/DIRECT DRIVE in [-1, 1].
         joint_rate: theta_dot_C', which replaces the drive [rad/s]; if None, `drive` is used.
         joint_at: angle to which the joint moves [rad]; if None, `drive` or `joint_rate` is used.
@@ -127,7 +127,7 @@ class Grasped:
 
     Attributes:
         cargo: index of the payload in the scenario's `cargo`.
-        angles: (6,) joint angles at which the arm captured the payload [rad]. At the capture, the payload was at its
+        angles: (n,) joint angles at which the arm captured the payload [rad]. At the capture, the payload was at its
             start pose (`Cargo.start`).
         stand: length of the telescope at the capture [m].
     """
@@ -142,8 +142,8 @@ class Start:
     """Initial state of the arm, for the full problem or for a part of it.
 
     Attributes:
-        angles: (6,) joint angles [rad].
-        rates: (6,) joint rates [rad/s].
+        angles: (n,) joint angles [rad].
+        rates: (n,) joint rates [rad/s].
         stand: length of the telescope, or height of the shoulder if there is no telescope [m].
         grasped: payload of the worksite that the arm holds; None for none.
     """
@@ -282,10 +282,10 @@ class Scenario:
 
     @property
     def initial_angles(self) -> np.ndarray:
-        """(6,) joint angles at the start [rad]."""
+        """(n,) joint angles at the start [rad]."""
         return self.start.angles
 
     @property
     def initial_rates(self) -> np.ndarray:
-        """(6,) joint rates at the start [rad/s]."""
+        """(n,) joint rates at the start [rad/s]."""
         return self.start.rates

@@ -8,6 +8,7 @@ from aftdeck.errors import InputError
 from aftdeck.files import Where, place
 from aftdeck.kinematics.arm import Arm
 from aftdeck.scenario.attached import Grasp
+from aftdeck.scenario.by_joint import fits
 from aftdeck.scenario.limits import phase_limits
 from aftdeck.scenario.model import PhasePlan, RateLimits, Sequences
 from aftdeck.scenario.modes import Chosen, check_mode, chosen_mode
@@ -112,7 +113,7 @@ def _three(given: Velocity | AngularVelocity | None) -> tuple[float, float, floa
 
 
 def _joint(problems: Problems, arm: Arm, phase: Phase, where: Where) -> int:
-    """Return the index of the selected joint, 0 to 5; also 0 if the phase selects no joint or an unknown one."""
+    """Return the index of the selected joint, from 0; also 0 if the phase selects no joint or an unknown one."""
     if phase.joint is None:
         return 0
     if phase.joint not in arm.joints:
@@ -146,6 +147,8 @@ def _check_phase(problems: Problems, arm: Arm, phase: Phase, chosen: Chosen, joi
         problems.add(where, f"mode {mode.position} needs a duration")
     if mode.kind == "master" and phase.master is None:
         problems.add(where, f"mode {mode.position} needs the master arm's angles")
+    if phase.master is not None:
+        fits(problems, arm.joints, phase.master, (*where, "master"))
     if (phase.until is not None or phase.stand_at is not None) and phase.duration is None:
         problems.add(where, "until and stand_at need a duration: the longest time allowed")
     if phase.until == "at rest" and mode.kind != "manual":

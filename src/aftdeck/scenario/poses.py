@@ -12,8 +12,9 @@ from aftdeck.files import Where
 from aftdeck.frames import FrameName, Pose, endori, panel_rotation, rotation_x
 from aftdeck.kinematics.arm import Arm
 from aftdeck.matrices import product
+from aftdeck.scenario.by_joint import fits
 from aftdeck.scenario.problems import Problems
-from aftdeck.scenario.schema import PoseSpec, Row, SixAngles
+from aftdeck.scenario.schema import JointAngles, PoseSpec, Row
 from aftdeck.scenario.target import Target, target_at
 
 FRAMES: tuple[FrameName, ...] = get_args(FrameName)
@@ -22,8 +23,10 @@ ORTHONORMAL = 1e-6
 """Greatest deviation of a matrix in the file from an orthonormal matrix [1]."""
 
 
-def joint_angles(problems: Problems, arm: Arm, given: SixAngles, where: Where) -> np.ndarray | None:
-    """Return six joint angles [rad] as an array; None if any angle is outside its hard limits."""
+def joint_angles(problems: Problems, arm: Arm, given: JointAngles, where: Where) -> np.ndarray | None:
+    """Return joint angles (n,) [rad] as an array; None if their number or an angle is not allowed."""
+    if not fits(problems, arm.joints, given, where):
+        return None
     inside = [check_angle(problems, arm, joint, angle, where) for joint, angle in enumerate(given)]
     return frozen(given) if all(inside) else None
 
@@ -64,8 +67,7 @@ def target(problems: Problems, arm: Arm, spec: PoseSpec, where: Where) -> Target
         return None
     if spec.joints is None:
         return target_at(pose)
-    a, b, c, d, e, f = spec.joints
-    return target_at(pose, (float(a), float(b), float(c), float(d), float(e), float(f)))
+    return target_at(pose, tuple(map(float, spec.joints)))
 
 
 def pose_in_l(problems: Problems, arm: Arm, spec: PoseSpec, where: Where) -> Pose | None:
@@ -101,7 +103,7 @@ def position_and_rotation(problems: Problems, spec: PoseSpec, where: Where) -> P
     """Return a pose given by position and orientation, in the frame that `spec` names; None if the pose is wrong."""
     euler = (spec.roll, spec.pitch, spec.yaw)
     if spec.position is None or spec.joints is not None:
-        problems.add(where, "give joints (six angles), or a position with an orientation")
+        problems.add(where, "give joints (the angle of each joint), or a position with an orientation")
         return None
     if spec.matrix is not None:
         if euler != (None, None, None):

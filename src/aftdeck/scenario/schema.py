@@ -7,12 +7,10 @@ from typing import Annotated, Literal
 import msgspec
 
 from aftdeck.arms.constant import Text
+from aftdeck.arms.joints import JointAcceleration, JointRate
 from aftdeck.arms.model import (
     Cover,
     RiseTime,
-    SixAccelerations,
-    SixRanges,
-    SixRates,
     TipRate,
     TipSpeed,
 )
@@ -37,7 +35,10 @@ from aftdeck.worksite.model import OrbiterMotion
 
 Stick = Annotated[float, Bounds(-1.0, 1.0, "1 is the full deflection")]
 Sticks = tuple[Stick, Stick, Stick]
-SixAngles = tuple[Angle, Angle, Angle, Angle, Angle, Angle]
+JointAngles = tuple[Angle, ...]
+"""Angle of each joint, from base to tip. Their number depends on the arm: `scenario.by_joint` checks it."""
+JointRanges = tuple[tuple[Angle, Angle], ...]
+"""Least and greatest angle of each joint."""
 Point = tuple[Length, Length, Length]
 Velocity = tuple[Speed, Speed, Speed]
 AngularVelocity = tuple[AngularRate, AngularRate, AngularRate]
@@ -47,7 +48,7 @@ TipAngularAcceleration = Annotated[AngularAcceleration, Bounds(1e-6, 100.0, _SOO
 Delay = Annotated[Time, Bounds(0.0, 30.0, "a signal to the Moon and back takes 2.6 s")]
 Component = Annotated[float, COMPONENT]
 Row = tuple[Component, Component, Component]
-SixStartRates = tuple[AngularRate, AngularRate, AngularRate, AngularRate, AngularRate, AngularRate]
+StartRates = tuple[AngularRate, ...]
 """Rate of each joint at the start, in either direction."""
 Rate = Literal["coarse", "vernier"]
 PayloadEvent = Literal["captured", "released", "latched", "unlatched"]
@@ -87,7 +88,7 @@ class PoseSpec(_Part, frozen=True):
       this object.
     """
 
-    joints: SixAngles | None = None
+    joints: JointAngles | None = None
     position: Point | None = None
     frame: Text = "orbiter"
     roll: Angle | None = None
@@ -110,7 +111,7 @@ class GraspSpec(_Part, frozen=True):
     """
 
     cargo: Text
-    joints: SixAngles | None = None
+    joints: JointAngles | None = None
     above: Length | None = None
     stand: Length | None = None
 
@@ -123,10 +124,10 @@ class Initial(_Part, frozen=True):
     end effector holds.
     """
 
-    joints: SixAngles | None = None
-    rates: SixStartRates | None = None
+    joints: JointAngles | None = None
+    rates: StartRates | None = None
     pose: PoseSpec | None = None
-    near: SixAngles | None = None
+    near: JointAngles | None = None
     stand: Length | None = None
     grasped: GraspSpec | None = None
 
@@ -209,19 +210,19 @@ class RatesOverride(_Part, frozen=True):
     A scenario's limits replace the arm's limits. A phase's limits replace the scenario's limits.
     """
 
-    servo: SixRates | None = None
-    coarse: SixRates | None = None
-    vernier: SixRates | None = None
-    acceleration: SixAccelerations | None = None
+    servo: tuple[JointRate, ...] | None = None
+    coarse: tuple[JointRate, ...] | None = None
+    vernier: tuple[JointRate, ...] | None = None
+    acceleration: tuple[JointAcceleration, ...] | None = None
     por: PorOverride = PorOverride()
 
 
 class LimitsOverride(RatesOverride, frozen=True):
     """Limits of a scenario that replace the limits in the arm's file."""
 
-    hard: SixRanges | None = None
-    soft: SixRanges | None = None
-    reach: SixRanges | None = None
+    hard: JointRanges | None = None
+    soft: JointRanges | None = None
+    reach: JointRanges | None = None
 
 
 CONTROL_PERIOD = Bounds(0.001, 0.2, "the arm's own computer ran at 0.08 s")
@@ -313,7 +314,7 @@ class Phase(_Part, frozen=True):
     target: PoseSpec | None = None
     law: Literal["position", "closed loop", "open loop"] | None = None
     payload_axes: bool | None = None
-    master: SixAngles | None = None
+    master: JointAngles | None = None
     effector: Literal["stop", "close", "open"] | None = None
     latch: Literal["latch", "unlatch"] | None = None
     brakes: bool | None = None

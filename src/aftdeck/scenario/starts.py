@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import msgspec
 import numpy as np
 
 from aftdeck.arms.geometry import frozen
@@ -9,12 +10,13 @@ from aftdeck.errors import AftdeckError, InputError
 from aftdeck.files import Where
 from aftdeck.frames import Pose
 from aftdeck.kinematics.arm import Arm
+from aftdeck.scenario.by_joint import fits
 from aftdeck.scenario.model import Grasped, Start
 from aftdeck.scenario.places import TargetReferences, at_the_start, cargo_index, is_relative
 from aftdeck.scenario.poses import joint_angles, pose_in_l
 from aftdeck.scenario.problems import Problems
 from aftdeck.scenario.relative import composed, inverted, scene_in_l
-from aftdeck.scenario.schema import Initial, InitialiseSpec, Part, PoseSpec, SixAngles
+from aftdeck.scenario.schema import Initial, InitialiseSpec, JointAngles, Part, PoseSpec
 from aftdeck.units import Length
 
 
@@ -42,7 +44,11 @@ def parts(
 def start(problems: Problems, arm: Arm, initial: Initial, references: TargetReferences, where: Where) -> Start | None:
     """Return the initial state of the arm (RMSIST); None if its table is wrong."""
     raised = _with_telescope_at(problems, arm, initial.stand, (*where, "stand"))
-    rates = frozen(initial.rates or [0.0] * 6)
+    if initial.near is not None and not fits(problems, arm.joints, initial.near, (*where, "near")):
+        initial = msgspec.structs.replace(initial, near=None)
+    rates = frozen(np.zeros(len(arm.joints)))
+    if initial.rates is not None and fits(problems, arm.joints, initial.rates, (*where, "rates")):
+        rates = frozen(initial.rates)
     for joint, rate, limit in zip(arm.joints, rates, arm.rates.servo, strict=True):
         if abs(rate) > limit:
             problems.add(
@@ -67,7 +73,7 @@ def _with_telescope_at(problems: Problems, arm: Arm, stand: Length | None, where
 def _angles(
     problems: Problems, arm: Arm, initial: Initial, references: TargetReferences, grasped: Grasped | None, where: Where
 ) -> np.ndarray | None:
-    """Return the joint angles of an initial state (6,) [rad]; None if its table is wrong.
+    """Return the joint angles of an initial state (n,) [rad]; None if its table is wrong.
 
     The table gives the angles or a pose of the tip. For a pose, RMANGS as published gives the angles if the scenario is
     strict and the table has no `near`.
@@ -75,7 +81,7 @@ def _angles(
     if initial.joints is not None and initial.pose is None:
         return joint_angles(problems, arm, initial.joints, (*where, "joints"))
     if initial.pose is None or initial.joints is not None:
-        problems.add(where, "give either joints (six angles) or a pose")
+        problems.add(where, "give either joints (the angle of each joint) or a pose")
         return None
     where = (*where, "pose")
     if is_relative(initial.pose):
@@ -93,7 +99,7 @@ def _angles(
 
 
 def _joint_angles_for(
-    problems: Problems, arm: Arm, pose: Pose, near: SixAngles | None, where: Where
+    problems: Problems, arm: Arm, pose: Pose, near: JointAngles | None, where: Where
 ) -> np.ndarray | None:
     """Return the joint angles for a tip pose in L, in the branch nearest to `near`; None if the pose is unreachable."""
     try:
@@ -114,7 +120,7 @@ def _grasped(
     index = cargo_index(problems, arm, references.cargo, spec.cargo, (*where, "cargo"))
     angles = None
     if (spec.joints is None) == (spec.above is None):
-        problems.add(where, "give either `joints` (six angles) or `above`")
+        problems.add(where, "give either `joints` (the angle of each joint) or `above`")
     elif spec.joints is not None:
         angles = joint_angles(problems, raised, spec.joints, (*where, "joints"))
     elif index is not None:

@@ -45,7 +45,7 @@ class TaskStep:
         text: instruction, with marks as in `StepSpec`.
         done: state that completes the step.
         target: pose to which the tip, or the held payload, has to move; None if the step has no such pose.
-        joint: index of the joint that has to move, 0 to 5; None if the step is not about one joint.
+        joint: index of the joint that has to move, from 0; None if the step is not about one joint.
         joint_at: angle to which this joint has to move [rad].
         mode: position of the MODE rotary that the step needs; None if any will do.
         way: axes of the THC in the order in which the place is approached; empty if all are used at once.

@@ -120,13 +120,13 @@ def initialise(flight: Flight, state: State, part: Part) -> None:
 def _set_to_start(flight: Flight, state: State, start: Start) -> None:
     """Set the arm and the worksite of a new state to the initial conditions `start`."""
     site, worksite, scenario = flight.site, state.worksite, flight.scenario
-    plant = state.plant
+    plant, joints = state.plant, len(start.angles)
     plant.angles[:], plant.rates[:] = start.angles, start.rates
     plant.stand.position = start.stand
     plant.commanded[:] = start.angles
     observe(state.arm.model.links, start.angles, start.rates, state.observed)
-    state.command[MASTER : MASTER + 6] = state.command[KEPT : KEPT + 6] = start.angles
-    state.steering[RATES : RATES + 6], state.steering[TWIST : TWIST + 6] = start.rates, state.observed[12:18]
+    state.command[MASTER : MASTER + joints] = state.command[KEPT : KEPT + joints] = start.angles
+    state.steering[RATES : RATES + joints], state.steering[TWIST : TWIST + 6] = start.rates, state.observed[12:18]
     state.measure()
     frames = worksite.frames
     for k, payload in enumerate(site.cargo):

@@ -49,7 +49,7 @@ def go(flight: Flight, state: State, log: Log, inputs: Inputs) -> None:
 
     # compute the commanded joint rates
     msteer(state.rules, state.command, state.steering, state.report)
-    rates = state.steering[RATES : RATES + 6]
+    rates = state.steering[RATES : RATES + len(state.plant.angles)]
 
     # limit the motion to what contacts, berths and walls allow
     telescope = limit_motion(flight, state, inputs.telescope)

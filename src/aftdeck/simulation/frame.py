@@ -51,7 +51,7 @@ class Limit(msgspec.Struct, frozen=True, gc=False):
     """Limit that acted in a step."""
 
     kind: Annotated[LimitKind, field_meta("kind of limit")]
-    joint: Annotated[int, field_meta("joint to which the limit applies, 0 to 5; -1 if the limit applies to no joint")]
+    joint: Annotated[int, field_meta("joint to which the limit applies, from 0; -1 if the limit applies to no joint")]
     text: Annotated[str, field_meta("text for the operator")]
 
 
@@ -285,7 +285,7 @@ class Frame(msgspec.Struct, frozen=True, gc=False):
     position_hold: Annotated[bool, field_meta("whether POSITION HOLD is on", value="panel.position_hold")]
     brakes: Annotated[bool, field_meta("whether BRAKES are on", value="panel.brakes")]
     safing: Annotated[bool, field_meta("whether SAFING commands zero joint rates", value="panel.safing")]
-    joint: Annotated[int, field_meta("selected joint, 0 to 5", value="panel.joint")]
+    joint: Annotated[int, field_meta("selected joint, from 0", value="panel.joint")]
     rate: Annotated[Literal["coarse", "vernier"], field_meta("rate setting", value="panel.rate")]
     sequence: Annotated[
         Sequence, field_meta("state of an automatic mode; `checking` while CMD CK runs", value="panel.sequence")
@@ -310,7 +310,7 @@ class Frame(msgspec.Struct, frozen=True, gc=False):
     rates_commanded: Annotated[Joints, field_meta("joint rates, commanded", "rad/s")]
     rate_limits: Annotated[Joints, field_meta("joint rate limits in force", "rad/s")]
     zones: Annotated[
-        tuple[int, int, int, int, int, int],
+        tuple[int, ...],
         field_meta(
             "for each joint: 0 free, 1 beyond the reach limit, 2 beyond the soft stop, 3 at the hard stop",
             value="panel.zones",

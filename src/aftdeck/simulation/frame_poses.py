@@ -15,7 +15,7 @@ from aftdeck.worksite.watch.contact_update import place_everything
 def frames_at(
     site: Site, worksite: WorksiteState, plant: PlantState, angles: Array, stand: float, prong: float
 ) -> Array:
-    """Return the poses of all frames in L, (F, 12), for joint angles (6,) [rad] and telescope and prong positions [m].
+    """Return the poses of all frames in L, (F, 12), for joint angles (n,) [rad] and telescope and prong positions [m].
 
     The orbiter is at its present position. Each payload moves with its present carrier. Links and joints do not bend.
     """
@@ -28,7 +28,7 @@ def frames_with_prong_at(site: Site, worksite: WorksiteState, plant: PlantState,
 
 
 def frames_after(flight: Flight, worksite: WorksiteState, plant: PlantState, rates: Array, telescope: float) -> Array:
-    """Return the poses of all frames in L, (F, 12), after one step with joint rates (6,) and a telescope drive.
+    """Return the poses of all frames in L, (F, 12), after one step with joint rates (n,) and a telescope drive.
 
     Frames that do not move with the arm keep their poses.
     """

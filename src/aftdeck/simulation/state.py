@@ -215,7 +215,7 @@ def new_state(flight: Flight, carried: SteeringSetup) -> State:
         panel=panel,
         script=Script(attached=0 if scenario.payload is None else 1),
         delayed_inputs=[Inputs()] * scenario.delay,
-        plant=new_plant_state(),
+        plant=new_plant_state(len(scenario.arm.joints)),
         worksite=new_worksite_state(flight.site, flight.prong),
         views=views,
         steering=np.zeros(STATE),

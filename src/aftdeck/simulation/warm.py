@@ -37,7 +37,7 @@ def warm_up(scenario: Scenario) -> None:
     """Call every law once, which compiles it: run a few steps of the scenario in a new state."""
     flight = run_constants(scenario, gauged=True)
     state = initial_state(flight)
-    arm = scenario.arm
+    arm, joints = scenario.arm, len(scenario.arm.joints)
     here = target_at(arm.forward(scenario.initial_angles))
     step(flight, state, Inputs())
     frame_of(flight, state, digest(state))
@@ -49,9 +49,9 @@ def warm_up(scenario: Scenario) -> None:
     with contextlib.suppress(AftdeckError):  # the start pose may be singular
         arm.inverse(here.pose, near=scenario.initial_angles)
     look_ahead(flight, state, MOST_S, (3, 1))
-    ways_out(flight, state, (1, 0, 0, 0, 0, 0), ("elbow",))
+    ways_out(flight, state, (1, *(0,) * (joints - 1)), ("elbow",))
     step(flight, state, Inputs(mode="SINGLE"))
-    ways_out(flight, state, (0, 0, 0, 0, 0, 0), ("elbow",))
+    ways_out(flight, state, (0,) * joints, ("elbow",))
     step(flight, state, None)
     state.worksite.contacts.judge(touching=True, changed=True, prong=flight.site.by_prong, mode=state.worksite.task)
     way_out_of_contact(flight, state)

@@ -7,8 +7,8 @@ import pytest
 from scipy.linalg import expm
 
 import aftdeck
+from aftdeck.arms.chain import AXIS, SLIDES
 from aftdeck.arrays import Array
-from aftdeck.kinematics.chain.posture import AXIS, SLIDES
 from aftdeck.tuples import MOST_JOINTS
 from tests.kinematics.chain.chains import Chain, chain_of, posture, random_chain, random_coordinates
 from tests.kinematics.poses import legal, turned

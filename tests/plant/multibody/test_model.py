@@ -13,7 +13,7 @@ import pytest
 
 from aftdeck.arms.load import ArmModel, load_model
 from aftdeck.arms.masses import masses_of
-from aftdeck.arms.model import YawArmFile
+from aftdeck.arms.model import ChainArmFile, YawArmFile
 from aftdeck.arrays import Array
 from aftdeck.errors import ArmError
 from aftdeck.kinematics.arm import Arm
@@ -129,6 +129,7 @@ def test_arm_without_the_numbers_of_a_plant_says_which_table_is_missing(name: st
 @pytest.mark.parametrize(("name", "part"), [("srms", "upper_boom"), ("srms", "shoulder"), ("concept-1972", "hand")])
 def test_arm_with_a_part_without_mass_is_named_for_a_plant_with_masses(name: str, part: str) -> None:
     model = load_model(name)
+    assert not isinstance(model.source, ChainArmFile)
     parts = model.source.masses.parts
     without: Any = msgspec.structs.replace(parts.value, **{part: Mass(0.0)})
     masses: Any = msgspec.structs.replace(model.source.masses, parts=msgspec.structs.replace(parts, value=without))

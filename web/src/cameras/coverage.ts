@@ -16,7 +16,7 @@ import {
   suffices,
 } from './best-pair';
 import { orbitsAround } from './free-view';
-import { type Found, placesOf, Subjects, TIP } from './subjects';
+import { type Found, placesOf, Subjects } from './subjects';
 
 /** Distance of the point that stands for the sun [m]. */
 const FAR_M = 300;
@@ -128,7 +128,7 @@ export class Survey {
     const named = (this.best()?.cameras ?? []).flatMap(({ camera }) =>
       cameras.filter(({ name }) => name === camera),
     );
-    const own = cameras.find(({ body, kind }) => body === TIP && kind === 'camera');
+    const own = cameras.find(({ body, kind }) => body === this.subjects.tip && kind === 'camera');
     const aimed = !this.subjects.holds(frame) && own && this.isAimed(own) ? [own] : [];
     return [
       ...named.filter((camera) => !aimed.includes(camera)).slice(0, 2 - aimed.length),

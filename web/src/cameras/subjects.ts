@@ -3,8 +3,8 @@
 import type { ClosestPoints, Frame, Vec3, Welcome } from '../link/protocol';
 import type { Need, Places, Subject } from './best-pair';
 
-/** Prefix of the names of the arm's bodies; names of the body with the tip and of the scenario's attached payload. */
-export const [ARM, TIP, PAYLOAD] = ['arm.', 'arm.wrist_roll', 'payload'];
+/** Prefix of the names of the arm's bodies; name of the scenario's attached payload. */
+export const [ARM, PAYLOAD] = ['arm.', 'payload'];
 
 /** A subject's position, the body that it is (null for a point), and its diameter [m]. */
 export interface Found {
@@ -23,6 +23,8 @@ export interface Bodies {
 const POINT_M = 0.5;
 
 export class Subjects {
+  /** Name of the body that carries the tip. */
+  readonly tip: string;
   private readonly payloads: readonly string[];
   private readonly stations: readonly string[];
 
@@ -30,6 +32,7 @@ export class Subjects {
     private readonly bodies: Bodies,
     welcome: Pick<Welcome, 'work' | 'bodies'>,
   ) {
+    this.tip = welcome.work.effector[0] ?? '';
     const names = new Set([...welcome.work.cargo, PAYLOAD]);
     const [, ...others] = welcome.bodies.map(({ name }) => name);
     this.payloads = others.filter((name) => names.has(name));
@@ -39,7 +42,7 @@ export class Subjects {
   /** Returns all subjects at a frame, which the scene must already show; null for each one that does not exist. */
   at(frame: Frame, gap: ClosestPoints | null): Readonly<Record<Subject, Found | null>> {
     return {
-      tip: this.body(TIP),
+      tip: this.body(this.tip),
       payload: this.first(this.payloads),
       target: this.target(frame),
       gap: gap && { place: gap.plane, body: null, diameter: Math.max(POINT_M, apart(gap)) },
@@ -76,7 +79,7 @@ export class Subjects {
     const { aim, actual } = frame.display;
     const held = frame.work.cargo.find(({ held }) => held);
     if (!aim) return held ? this.first(this.stations) : null;
-    const from = this.bodies.middle(held?.name ?? TIP);
+    const from = this.bodies.middle(held?.name ?? this.tip);
     if (!from) return null;
     // The panel's X points forward and its Z down; the scene's x points aft and its z up.
     const [x, y, z] = aim.position.map((value, i) => value - (actual.position[i] ?? 0)) as [

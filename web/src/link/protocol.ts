@@ -380,7 +380,7 @@ export interface EnterMode {
 export interface SelectJoint {
   readonly type: 'select_joint';
   readonly seq: number;
-  /** 0 to 5, in the order of `Welcome.joints`. */
+  /** Number of the joint, from 0, in the order of `Welcome.joints`. */
   readonly joint: number;
 }
 
@@ -654,8 +654,8 @@ export interface JointInfo {
   readonly name: string;
   /** Name on the page: `Sho yaw`. */
   readonly label: string;
-  /** Axis of the hand controllers that moves this joint of the master arm: `THC Y`. */
-  readonly stick: string;
+  /** Axis of the hand controllers that moves this joint of the master arm: `THC Y`; null if no axis moves it. */
+  readonly stick: string | null;
   readonly hard: Vec2;
   readonly soft: Vec2;
   readonly reach: Vec2;
@@ -780,6 +780,8 @@ export interface Pane {
 export interface WorkInfo {
   /** Kind of the arm's end effector. */
   readonly hand: 'prong' | 'snares';
+  /** Names of the end effector's bodies: the one that carries the tip, then a prong. */
+  readonly effector: readonly string[];
   /** Telescope under the arm; null if the arm has no telescope. */
   readonly stand: StandInfo | null;
   /** Names of the payloads; each payload has a body of the same name. */
@@ -995,7 +997,7 @@ export interface Frame {
   readonly brakes: boolean;
   /** whether SAFING commands zero joint rates */
   readonly safing: boolean;
-  /** selected joint, 0 to 5 */
+  /** selected joint, from 0 */
   readonly joint: number;
   /** rate setting */
   readonly rate: Rate;
@@ -1024,7 +1026,7 @@ export interface Frame {
   /** joint rate limits in force [rad/s] */
   readonly rate_limits: readonly number[];
   /** for each joint: 0 free, 1 beyond the reach limit, 2 beyond the soft stop, 3 at the hard stop */
-  readonly zones: readonly [number, number, number, number, number, number];
+  readonly zones: readonly number[];
   /** position of the tip [m], along the axes of L */
   readonly position: Vec3;
   /** attitude of frame 7, along the axes of L */
@@ -1092,7 +1094,7 @@ export interface Check {
 export interface Limit {
   /** kind of limit */
   readonly kind: LimitKind;
-  /** joint to which the limit applies, 0 to 5; -1 if the limit applies to no joint */
+  /** joint to which the limit applies, from 0; -1 if the limit applies to no joint */
   readonly joint: number;
   /** text for the operator */
   readonly text: string;
@@ -1556,7 +1558,7 @@ export interface Ahead {
   readonly contact_s: number | null;
   /** Distance that the tip still moves if the sticks are centred now [m]. */
   readonly stopping: number;
-  /** Joint nearest to a reach limit at the end of the time span, 0 to 5. */
+  /** Joint nearest to a reach limit at the end of the time span, from 0. */
   readonly joint: number;
   /** Angle from this joint to its reach limit at the end of the time span [rad]; negative past the limit. */
   readonly room: number;

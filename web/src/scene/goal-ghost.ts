@@ -10,9 +10,6 @@ import { Ghost } from './ghost';
 const GREEN = '#a9e3bf';
 /** A payload can fill a picture; behind its ghost, everything has to stay visible. */
 const FACES = { fill: 0.04, rim: 0.3 };
-/** Bodies of the end effector; the concept's prong moves with the hand. */
-const HAND: ReadonlySet<string> = new Set(['arm.wrist_roll', 'arm.prong']);
-
 const [motion, pose] = [new Matrix4(), new Matrix4()];
 const [place, turn, size] = [new Vector3(), new Quaternion(), new Vector3()];
 
@@ -20,9 +17,17 @@ export class GoalGhost {
   private readonly ghost: Ghost;
   private readonly bodies: readonly Body[];
 
-  /** `payloads`: names of the payloads that the end effector can hold. */
-  constructor(stage: Stage, bodies: readonly Body[], payloads: ReadonlySet<string>) {
-    this.bodies = bodies.filter(({ group: { name } }) => HAND.has(name) || payloads.has(name));
+  /**
+   * @param effector names of the end effector's bodies.
+   * @param payloads names of the payloads that the end effector can hold.
+   */
+  constructor(
+    stage: Stage,
+    bodies: readonly Body[],
+    private readonly effector: ReadonlySet<string>,
+    payloads: ReadonlySet<string>,
+  ) {
+    this.bodies = bodies.filter(({ group: { name } }) => effector.has(name) || payloads.has(name));
     this.ghost = new Ghost(stage, this.bodies, GREEN, FACES);
   }
 
@@ -36,7 +41,7 @@ export class GoalGhost {
     const [x = 0, y = 0, z = 0, w = 1, i = 0, j = 0, k = 0] = to_go.shift;
     motion.compose(place.set(x, y, z), turn.set(i, j, k, w), size.set(1, 1, 1));
     const poses = this.bodies.flatMap(({ group }) => {
-      const moves = HAND.has(group.name) || held.has(group.name);
+      const moves = this.effector.has(group.name) || held.has(group.name);
       pose.copy(group.matrixWorld);
       if (moves) pose.premultiply(motion);
       pose.decompose(place, turn, size);

@@ -24,9 +24,6 @@ import { Sun } from './sun';
 /** Factor by which light is multiplied at an exposure of 0 stops. */
 const EXPOSED = 1.1;
 
-/** Body whose shadow falls on payloads: operators judge by it how near the end effector is. */
-const HAND = 'arm.wrist_roll';
-
 /** Sun, Earth and lamps, with the shadow and the reflections that they cause. */
 export class Illumination {
   private readonly lights: Lights | null;
@@ -39,12 +36,16 @@ export class Illumination {
   /** Computes the light on a point of the scene. */
   readonly lit: Lit;
 
-  /** The first body of `bodies` is fixed, all others move. */
+  /**
+   * The first body of `bodies` is fixed, all others move. The shadow of the body `tip` falls on payloads: operators judge
+   * by it how near the end effector is.
+   */
   constructor(
     private readonly stage: Stage,
     private readonly renderer: WebGLRenderer,
     private readonly quality: Quality,
     bodies: readonly Body[],
+    tip: string,
     private readonly materials: Materials,
     private readonly lambert: LambertLight,
     private readonly conditions: readonly LightCondition[],
@@ -58,7 +59,7 @@ export class Illumination {
     stage.environmentIntensity = 0.4;
     const [fixed, ...moving] = bodies;
     fixed?.drawLast();
-    lambert.cast(bodies.filter(({ group }) => group.name === HAND).flatMap(rodOf)[0] ?? null);
+    lambert.cast(bodies.filter(({ group }) => group.name === tip).flatMap(rodOf)[0] ?? null);
     const ground = quality === 'low' ? fixed?.mesh('liner') : undefined;
     this.blob = ground ? new Blob(stage, ground, moving) : null;
   }

@@ -103,6 +103,7 @@ export class Scene {
       this.renderer,
       quality,
       bodies,
+      welcome.work.effector[0] ?? '',
       materials,
       lambert,
       conditions,
@@ -115,7 +116,7 @@ export class Scene {
     this.gap = new Gap(stage, bodies);
     const ghosts = welcome.ghost.flatMap((i) => bodies[i] ?? []);
     this.ghost = new Ghost(stage, ghosts, COMMANDED, { fill: 0.16, rim: 0.9 });
-    this.goal = new GoalGhost(stage, bodies, payloads);
+    this.goal = new GoalGhost(stage, bodies, new Set(welcome.work.effector), payloads);
     const carried = new Set(ghosts.map(({ group }) => group.name));
     this.onArm = new Set(welcome.cameras.filter(({ body }) => carried.has(body)).map(({ name }) => name));
   }

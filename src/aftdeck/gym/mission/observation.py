@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from aftdeck.arrays import Array
-from aftdeck.gym.mission.definition import OBSERVATIONS
+from aftdeck.gym.mission.definition import observations
 from aftdeck.gym.terms import Floats32, observation_space
 from aftdeck.scenario.model import Scenario
 from aftdeck.scene.stick_axes import StickAxes
@@ -29,7 +29,7 @@ class Observer:
         soft = model.limits.soft
         self._middle, self._half = soft.mean(axis=1), 0.5 * (soft[:, 1] - soft[:, 0])
         self._servo, (self._speed, self._turn) = model.rates.servo, frame.por_limits
-        self.space = observation_space(OBSERVATIONS)
+        self.space = observation_space(observations(len(scenario.arm.joints)))
 
     def of(self, frame: Frame, left: Remaining | None) -> Floats32:
         """Return the observation of a frame, each value within the limits of the space.

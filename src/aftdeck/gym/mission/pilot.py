@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
+from aftdeck.errors import InputError
 from aftdeck.gym.mission.actions import inputs_of, repeats_of
-from aftdeck.gym.mission.definition import MISSIONS
+from aftdeck.gym.mission.definition import MISSIONS, observations
 from aftdeck.gym.mission.observation import Observer
 from aftdeck.gym.mission.starts import step_of
 from aftdeck.gym.policy import Policy
@@ -27,7 +28,13 @@ class MissionPilot:
     """
 
     def __init__(self, scenario: Scenario, policy: Policy) -> None:
-        self._mission = MISSIONS[policy.environment]
+        self._mission, joints = MISSIONS[policy.environment], len(scenario.arm.joints)
+        expected = sum(group.size for group in observations(joints))
+        if len(policy.mean) != expected:
+            raise InputError(
+                f"policy: takes {len(policy.mean)} observations; {policy.environment} has {expected} for the {joints} "
+                f"joints of {scenario.arm.name!r}"
+            )
         self._step = step_of(self._mission, scenario)
         self._last = scenario.steps.index(self._step)
         self._scenario, self._policy = scenario, policy

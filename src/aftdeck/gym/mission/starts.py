@@ -65,7 +65,7 @@ class Starts:
             angles = self._arm.inverse(Pose(pose.position, product(pose.rotation, small)), near=self._base.angles)[0]
         except AftdeckError:
             return None
-        return Start(angles, np.zeros(6), self._base.stand, self._base.grasped)
+        return Start(angles, np.zeros(len(angles)), self._base.stand, self._base.grasped)
 
     def _target(self, away: float, across: list[float]) -> AtCargo | AtSeat:
         """Return the step's target, displaced along the way out and across it."""

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from aftdeck.arms.chain import CHAIN, COUNT, FOLLOW, HAND, JOINT, RANK, SCALE, WEIGHTS
+from aftdeck.arms.chain import CHAIN, COUNT, EVEN, FOLLOW, HAND, JOINT, RANK, SCALE, WEIGHTS
 from aftdeck.arrays import Array
 from aftdeck.bodies.pose import POSE
 from aftdeck.kinematics.chain.posture import place_joints, write_jacobian
@@ -25,7 +25,8 @@ RIGHT = LEFT + 36
 VALUES = RIGHT + 6 * MOST_JOINTS
 """(k,) singular values."""
 NEAR = VALUES + 6
-"""Distance from a singularity, 0 to 1: the last singular value of the chain's rank, as a share of the first."""
+"""Distance from a singularity, 0 to 1: the last singular value of the rank as a share of the first, divided by this
+share in the best posture that was found when the arm was loaded."""
 SLOPES = NEAR + 1
 """(n,) derivatives of this distance with respect to the joints' coordinates [1/rad or 1/m]."""
 ANSWERS = SLOPES + MOST_JOINTS
@@ -101,13 +102,13 @@ def answer(arm: Array, q: Rates) -> Array:
     _keep(w.right, found, RIGHT)
     for i in range(w.values.shape[0]):
         found[VALUES + i] = w.values[i]
-    first, last = alike.values[0], alike.values[rank - 1]
-    found[NEAR] = last / first if first > 0.0 else 0.0
+    first, last = alike.values[0] * packed[EVEN], alike.values[rank - 1]
+    found[NEAR] = min(last / first, 1.0) if first > 0.0 else 0.0
     for k in range(count):
         slope = 0.0
         if first > 0.0 and rank > 1:
             of_last = slope_of(chain, joints, tip, alike, rank - 1, k)
-            slope = (of_last - found[NEAR] * slope_of(chain, joints, tip, alike, 0, k)) / first
+            slope = (of_last - found[NEAR] * packed[EVEN] * slope_of(chain, joints, tip, alike, 0, k)) / first
         found[SLOPES + k] = slope
     return found
 
@@ -147,7 +148,7 @@ def rates_of_twist(arm: Array, found: Array, twist: Twist, floor: float) -> Rate
         packed[WEIGHTS : WEIGHTS + count],
         follow_of(packed, packed[FOLLOW]),
     )
-    resolve(w, rank, twist, floor * min(packed[FOLLOW], 1.0), rates[:count])
+    resolve(w, rank, twist, floor * packed[EVEN] * min(packed[FOLLOW], 1.0), rates[:count])
     return Rates(rates[0], rates[1], rates[2], rates[3], rates[4], rates[5], rates[6], rates[7])
 
 

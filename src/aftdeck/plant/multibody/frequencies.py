@@ -28,7 +28,7 @@ def frequencies(
 
     Args:
         arm: the arm.
-        angles: (6,) joint angles [rad].
+        angles: (n,) joint angles [rad].
         payload: payload at the tip, in frame 7 with the tip as origin; None for none.
         orbiter: the free orbiter, in L; None if the arm's base is fixed.
 
@@ -39,7 +39,7 @@ def frequencies(
     if payload is not None:
         attach(spec, payload)
     view = View(spec.compile(), arm)
-    view.set_joints(np.asarray(angles, dtype=np.float64), np.zeros(6), float(arm.links[0]))
+    view.set_joints(np.asarray(angles, dtype=np.float64), np.zeros(len(arm.joints)), float(arm.links[0]))
     mujoco.mj_forward(view.model, view.data)
     return natural_frequencies(*matrices(view))[0 if orbiter is None else RIGID_MODES :]
 

@@ -31,13 +31,13 @@ def deflect_brakes(places: Indices, servo: Array, qvel: Array, step: float, act:
     """Deflect the brakes as the motors do in the given time, so that brakes slip at once if they are set in motion.
 
     Args:
-        places: (6, 6) places of the joints in MuJoCo's arrays.
-        servo: (7, 6) constants of the joints.
+        places: (6, n) places of the joints in MuJoCo's arrays.
+        servo: (7, n) constants of the joints.
         qvel: MuJoCo's velocities.
         step: time of the deflection [s].
         act: MuJoCo's activations; the brakes' deflections [rad] are written.
     """
-    for i in range(6):
+    for i in range(places.shape[1]):
         turned, most = qvel[places[RATE, i]] * step, servo[GIVE, i]
         act[places[DEFLECTION, i]] = min(max(turned, -most), most)
 
@@ -48,7 +48,7 @@ def _wanted(i: int, places: Indices, gains: Array, biases: Array, ctrl: Array, r
 
     Args:
         i: number of the joint.
-        places: (6, 6) places of the joints in MuJoCo's arrays.
+        places: (6, n) places of the joints in MuJoCo's arrays.
         gains: (a, 10) MuJoCo's gains of all actuators.
         biases: (a, 10) MuJoCo's biases of all actuators; the third column is by rate.
         ctrl: MuJoCo's controls.
@@ -78,8 +78,8 @@ def _jumps(
     A joint whose limited torque balances a load changes its rate by less.
 
     Args:
-        places: (6, 6) places of the joints in MuJoCo's arrays.
-        servo: (7, 6) constants of the joints.
+        places: (6, n) places of the joints in MuJoCo's arrays.
+        servo: (7, n) constants of the joints.
         gains: as in `_wanted`; biases and ctrl likewise.
         biases: (a, 10).
         step: duration of MuJoCo's steps [s].
@@ -88,9 +88,9 @@ def _jumps(
         qvel: MuJoCo's velocities.
         acceleration: MuJoCo's accelerations in its last step.
         ctrl: MuJoCo's controls.
-        torques: (6,) torques at the end of the last control period [N m].
+        torques: (n,) torques at the end of the last control period [N m].
     """
-    for i in range(6):
+    for i in range(places.shape[1]):
         rate, most = places[RATE, i], servo[TORQUE, i]
         wanted = _wanted(i, places, gains, biases, ctrl, qvel[rate])
         if abs(wanted) < most:
@@ -106,13 +106,13 @@ def _deflected(places: Indices, servo: Array, step: float, qvel: Array) -> float
     """Return the greatest deflection of a brake in one step, as a share of that at which it slips [1].
 
     Args:
-        places: (6, 6) places of the joints in MuJoCo's arrays.
-        servo: (7, 6) constants of the joints.
+        places: (6, n) places of the joints in MuJoCo's arrays.
+        servo: (7, n) constants of the joints.
         step: duration of MuJoCo's steps [s].
         qvel: MuJoCo's velocities.
     """
     greatest = 0.0
-    for i in range(6):
+    for i in range(places.shape[1]):
         greatest = max(greatest, abs(qvel[places[RATE, i]]) * step / servo[GIVE, i])
     return greatest
 
@@ -147,12 +147,12 @@ def command_joints(
     it turns the joint at the given rate and towards the angle to which the rates lead.
 
     Args:
-        rates: (6,) commanded joint rates [rad/s].
-        angles: (6,) measured joint angles [rad].
+        rates: (n,) commanded joint rates [rad/s].
+        angles: (n,) measured joint angles [rad].
         braked: whether the brakes are on; then no servo holds its joint.
         by_angle: whether servos also turn the joints to the angles to which the rates lead.
-        places: (6, 6) places of the joints in MuJoCo's arrays.
-        servo: (7, 6) constants of the joints.
+        places: (6, n) places of the joints in MuJoCo's arrays.
+        servo: (7, n) constants of the joints.
         gains: (a, 10) MuJoCo's gains of all actuators.
         biases: (a, 10) MuJoCo's biases of all actuators; the third column is by rate.
         step: usual duration of MuJoCo's steps [s].
@@ -160,15 +160,15 @@ def command_joints(
             from the first it seizes, from the second it slips [1].
         qvel: MuJoCo's velocities.
         acceleration: MuJoCo's accelerations in its last step.
-        torques: (6,) torques at the end of the last control period [N m].
-        holds: (6,) angles to which the servos turn the joints [rad], `NONE` for none; updated.
+        torques: (n,) torques at the end of the last control period [N m].
+        holds: (n,) angles to which the servos turn the joints [rad], `NONE` for none; updated.
         ctrl: MuJoCo's controls; written.
         act: MuJoCo's activations; the brakes' deflections [rad] are written while the brakes are off.
 
     Returns:
         `USUAL`, `JUMPS`, `SEIZES` or `SLIPS`.
     """
-    for i in range(6):
+    for i in range(places.shape[1]):
         if braked or (rates[i] != 0.0 and not by_angle):
             holds[i] = NONE
             ctrl[places[INPUT, i]] = rates[i]
@@ -221,9 +221,9 @@ def measure_joints(
     Args:
         braked: whether the brakes are on.
         by_angle: whether servos also turn the joints to the angles to which the rates lead.
-        places: (6, 6) places of the joints in MuJoCo's arrays.
-        gearboxes: (6,) places of the gearboxes' windup; (0,) if the model is rigid.
-        servo: (7, 6) constants of the joints.
+        places: (6, n) places of the joints in MuJoCo's arrays.
+        gearboxes: (n,) places of the gearboxes' windup; (0,) if the model is rigid.
+        servo: (7, n) constants of the joints.
         gains: as in `_wanted`; biases and ctrl likewise.
         biases: (a, 10).
         step: duration of MuJoCo's last step [s].
@@ -233,19 +233,19 @@ def measure_joints(
         act: MuJoCo's activations.
         ctrl: MuJoCo's controls.
         force: MuJoCo's forces of the actuators [N m].
-        angles: (6,) output [rad].
-        rates: (6,) output [rad/s].
-        holds: (6,) angles to which the servos turn the joints [rad]; updated. With `by_angle`, they move at the
+        angles: (n,) output [rad].
+        rates: (n,) output [rad/s].
+        holds: (n,) angles to which the servos turn the joints [rad]; updated. With `by_angle`, they move at the
             commanded rates, but no farther ahead of a joint than where its greatest rate of return begins.
-        torques: (6,) output [N m].
-        overdriven: (6,) output: 1 for a joint that turns against its motor or brake at its greatest torque.
-        given: (6,) commanded joint rates [rad/s].
+        torques: (n,) output [N m].
+        overdriven: (n,) output: 1 for a joint that turns against its motor or brake at its greatest torque.
+        given: (n,) commanded joint rates [rad/s].
         period: control period [s].
-        reference: (6,) output: rates from which the steering's acceleration limits count [rad/s].
-        commanded: (6,) angles that the joints would have without stops [rad]; updated.
+        reference: (n,) output: rates from which the steering's acceleration limits count [rad/s].
+        commanded: (n,) angles that the joints would have without stops [rad]; updated.
     """
     acting, greatest = (BRAKE, HOLDING) if braked else (SERVO, TORQUE)
-    for i in range(6):
+    for i in range(places.shape[1]):
         motor, rate = qpos[places[MOTOR, i]], qvel[places[RATE, i]]
         angle = motor + qpos[gearboxes[i]] if gearboxes.shape[0] > 0 else motor
         encoder, tachometer = servo[ENCODER, i], servo[TACHOMETER, i]
@@ -277,11 +277,11 @@ def poses_in_base(orbiter: int, bodies: Indices, xpos: Array, xmat: Array, base:
 
     Args:
         orbiter: number of the body whose frame is L; -1 if L does not move, and `base` keeps its pose.
-        bodies: (n,) numbers of the bodies.
+        bodies: (f,) numbers of the bodies.
         xpos: (b, 3) MuJoCo's positions of all bodies in the world [m].
         xmat: (b, 9) MuJoCo's rotations of all bodies, row by row.
         base: (12,) pose of L in the world; updated.
-        rows: (n, 12) output.
+        rows: (f, 12) output.
     """
     if orbiter >= 0:
         base[:3], base[3:] = xpos[orbiter], xmat[orbiter]
@@ -305,7 +305,7 @@ def bends_of(
     """Write the bends of the arm's parts from MuJoCo's present poses.
 
     Args:
-        frames: (n,) numbers of the bodies of the arm's frames.
+        frames: (f,) numbers of the bodies of the arm's frames.
         carriers: (b,) index in `frames` of the frame that carries each part.
         beyond: (b,) number of the body that is fixed to each part's end.
         xpos: (b, 3) MuJoCo's positions of all bodies in the world [m].

@@ -134,7 +134,7 @@ class MultibodyPlant:
 
     def begin(self, state: PlantState, attached: int, poses: Array, motions: Array, prong: float) -> None:
         """Place the bodies at the state's joint angles, unbent, with the joints' rates (`Plant.begin`)."""
-        one = self._apart[attached]
+        one, joints = self._apart[attached], len(state.angles)
         view = one.view
         mujoco.mj_resetData(view.model, view.data)
         view.set_joints(state.angles, state.rates, state.stand.position, prong)
@@ -142,12 +142,12 @@ class MultibodyPlant:
         one.payloads.place(poses, motions)
         state.bodies = Bodies(
             physics=np.empty(mujoco.mj_stateSize(view.model, _STATE)),
-            holds=np.full(6, np.nan),
+            holds=np.full(joints, np.nan),
             frames=np.empty((view.rows, POSE)),
             bends=np.zeros((view.flexures, BEND)),
             reference=state.rates.copy(),
-            torques=np.zeros(6),
-            overdriven=np.zeros(6, np.uint8),
+            torques=np.zeros(joints),
+            overdriven=np.zeros(joints, np.uint8),
             payloads=poses.copy(),
             motions=motions.copy(),
             held=np.zeros((len(poses), len(HOLDERS))),

@@ -1,4 +1,4 @@
-"""Servos, brakes, encoders and tachometers of the six joints.
+"""Servos, brakes, encoders and tachometers of the joints.
 
 A rate servo turns its joint with a torque in proportion to the difference between commanded and actual rate, up to its
 torque limit. If a load exceeds this limit, the joint gives way. While a joint is not commanded, its servo returns it
@@ -88,8 +88,8 @@ class Servos:
 
         Args:
             bodies: state of the bodies; the angles that the servos hold are updated.
-            angles: (6,) measured joint angles [rad].
-            rates: (6,) commanded joint rates [rad/s].
+            angles: (n,) measured joint angles [rad].
+            rates: (n,) commanded joint rates [rad/s].
             brakes: whether the brakes are on.
             by_angle: whether servos also turn the joints to the angles to which the rates lead.
         """
@@ -107,7 +107,7 @@ class Servos:
             state: output: angles at the joints' outputs, in steps of the encoder, rates of the motors, in steps of the
                 tachometer, and commanded angles.
             bodies: state of the bodies; torques and reference rates are written.
-            rates: (6,) commanded joint rates [rad/s].
+            rates: (n,) commanded joint rates [rad/s].
             brakes: whether the brakes are on.
             by_angle: whether servos also turn the joints to the angles to which the rates lead.
         """

@@ -26,9 +26,9 @@ class View:
         has_telescope: whether the arm has a telescope.
         rows: number of the arm's frames.
         flexures: number of the arm's parts that bend.
-        motors: (6,) places of the motors' angles in MuJoCo's positions.
-        gearboxes: (6,) places of the gearboxes' windup; (0,) if the model is rigid.
-        motor_rates: (6,) places of the motors' rates in MuJoCo's velocities.
+        motors: (n,) places of the motors' angles in MuJoCo's positions.
+        gearboxes: (n,) places of the gearboxes' windup; (0,) if the model is rigid.
+        motor_rates: (n,) places of the motors' rates in MuJoCo's velocities.
         qpos: MuJoCo's positions, as an array of the workspace.
         qvel: MuJoCo's velocities, as an array of the workspace.
     """
@@ -77,7 +77,7 @@ class View:
             self.data.qpos[self._prong] = prong
 
     def limit(self, stops: Array) -> None:
-        """Limit the motors' angles to the hard stops (6, 2) [rad]."""
+        """Limit the motors' angles to the hard stops (n, 2) [rad]."""
         for joint, stop in zip(self._joints, stops, strict=True):
             self.model.jnt_limited[joint], self.model.jnt_range[joint] = True, stop
 
@@ -103,7 +103,7 @@ class View:
         """Write poses from MuJoCo's present ones: of the arm's frames, its bent parts, and L.
 
         Args:
-            frames: (n, 12) output: true poses of the arm's frames, in L.
+            frames: (f, 12) output: true poses of the arm's frames, in L.
             bends: (b, 6) output: bends of base and booms; (0, 6) if the model is rigid.
             base: (12,) output: pose of L, relative to its pose at the start of the run; a fixed one is not changed.
         """

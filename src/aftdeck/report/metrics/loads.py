@@ -11,8 +11,10 @@ from aftdeck.report.metric import Found, Metric, Value
 from aftdeck.scenario.model import Scenario
 from aftdeck.simulation.frame import Frame
 from aftdeck.simulation.log import joint_label
+from aftdeck.tuples import MOST_JOINTS
 
-JOINTS = range(6)
+JOINTS = range(MOST_JOINTS)
+"""Numbers of the joints that have metrics, from 0. A run has those of its arm's joints."""
 TORQUES = tuple(
     Metric(
         f"peak_torque_joint_{k + 1}",
@@ -83,7 +85,7 @@ class Loads:
         self._joints, self._period_s = scenario.arm.joints, scenario.control_period
         self._limits = ((), ()) if servo is None else (servo.torque_limit.tolist(), servo.holding_torque.tolist())
         self._peaks: dict[Metric, _Peak] = {}
-        self._at_limit = [0] * len(JOINTS)
+        self._at_limit = [0] * len(self._joints)
 
     def see(self, frame: Frame, readings: Readings | None) -> None:
         """Add the next frame, and the readings of its step; None without gauges."""
@@ -113,5 +115,5 @@ class Loads:
             joint = f"{joint_label(self._joints[TORQUES.index(metric)])}, " if metric in TORQUES else ""
             yield metric, Value(peak.value, detail=f"{joint}at {peak.time_s:.2f} s")
         if self._peaks:
-            for k, metric in enumerate(AT_LIMIT):
-                yield metric, Value(self._at_limit[k] * self._period_s, detail=joint_label(self._joints[k]))
+            for metric, joint, steps in zip(AT_LIMIT, self._joints, self._at_limit, strict=False):
+                yield metric, Value(steps * self._period_s, detail=joint_label(joint))

@@ -64,17 +64,17 @@ def _beyond_acceleration(state: State) -> list[int]:
     In the modes that have these limits, a stop, a singularity, a rate limit or a line may require more. The joints of
     the other modes may stop at once.
     """
-    steering, report, rules = state.steering, state.report, state.rules
-    now, before = steering[RATES : RATES + 6].tolist(), report[BEFORE : BEFORE + 6].tolist()
-    most, period = rules[MOST_UP : MOST_UP + 6].tolist(), float(rules[DT]) * (1.0 + ROUNDING)
-    return [joint for joint in range(6) if abs(now[joint] - before[joint]) > most[joint] * period]
+    steering, report, rules, joints = state.steering, state.report, state.rules, len(state.plant.angles)
+    now, before = steering[RATES : RATES + joints].tolist(), report[BEFORE : BEFORE + joints].tolist()
+    most, period = rules[MOST_UP : MOST_UP + joints].tolist(), float(rules[DT]) * (1.0 + ROUNDING)
+    return [joint for joint in range(joints) if abs(now[joint] - before[joint]) > most[joint] * period]
 
 
 def _held_by_stops(
     flight: Flight, zones: tuple[int, ...], steering: Array, angles: Array, found: list[Limit]
 ) -> list[Limit]:
     """Return the joints whose commanded rates press them against their hard stops, besides those in `found`."""
-    rates, at = steering[RATES : RATES + 6].tolist(), angles.tolist()
+    rates, at = steering[RATES : RATES + len(zones)].tolist(), angles.tolist()
     named = {limit.joint for limit in found if limit.kind == "hard stop"}
     held = [
         joint

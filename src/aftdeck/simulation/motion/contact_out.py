@@ -32,7 +32,7 @@ class _Motion(NamedTuple):
 
     Attributes:
         command: the operator's command for this motion.
-        rates: (6,) joint rates [rad/s].
+        rates: (n,) joint rates [rad/s].
         telescope: drive of the telescope, -1 to 1.
     """
 
@@ -75,7 +75,7 @@ def _poses_after(
 
 def _sticks(state: State) -> list[_Motion]:
     """Return the motion of each stick direction, in the present mode if it is manual, else in ORB UNL."""
-    rates = np.zeros((DIRECTIONS, 6))
+    rates = np.zeros((DIRECTIONS, len(state.plant.angles)))
     stick_rates(*steering_of(state), rates)
     return [_Motion(by_stick(state, CONTACT, k), own, 0.0) for k, own in enumerate(rates)]
 
@@ -83,13 +83,13 @@ def _sticks(state: State) -> list[_Motion]:
 def _joints(flight: Flight, present: str) -> list[_Motion]:
     """Return the motions of each single joint, and of the telescope if the arm has one; `present`: the present mode."""
     mode = present if MODES[present].kind == "single" else "SINGLE"
-    found = []
+    found, joints = [], len(flight.scenario.arm.joints)
     for joint, limit in enumerate(flight.scenario.arm.rate_limits):
         for sign in (1, -1):
-            rates = np.zeros(6)
+            rates = np.zeros(joints)
             rates[joint] = sign * limit
             found.append(_Motion(by_joint(flight, mode, CONTACT, joint, sign), rates, 0.0))
     if flight.telescope.rate:
         for sign, text in ((1, "telescope longer"), (-1, "telescope shorter")):
-            found.append(_Motion(WayOut(CONTACT, text, "telescope", 0, sign), np.zeros(6), float(sign)))
+            found.append(_Motion(WayOut(CONTACT, text, "telescope", 0, sign), np.zeros(joints), float(sign)))
     return found

@@ -38,7 +38,7 @@ def limit_motion(flight: Flight, state: State, telescope: float) -> float:
     worksite.halt = ""
     sliding = sliding_payload(worksite.held, mode) if flight.inhibits else None
     worksite.contacts.essential[:] = flight.site.essential_while(sliding, worksite.permitted)
-    rates = state.steering[RATES : RATES + 6]
+    rates = state.steering[RATES : RATES + len(plant.angles)]
     moved = telescope or any(rates.tolist())
     if worksite.arm_fixed or joint_lock_reason(state.panel):
         if moved:
@@ -99,7 +99,7 @@ def _stop_arm(flight: Flight, steering: Array, report: Array, mode: str) -> floa
     The steering of the next step starts from rest. Except under `strict`, the clock of modes 1 and 3 is set back
     by `CLOCK_RATE` control periods, which is about its advance in this step.
     """
-    steering[RATES : RATES + 6] = 0.0
+    steering[RATES : RATES + len(flight.scenario.arm.joints)] = 0.0
     steering[TWIST : TWIST + 6] = 0.0
     report[RATIO] = 0.0
     if MODES[mode].kind == "automatic" and not flight.scenario.strict:

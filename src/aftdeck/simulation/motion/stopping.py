@@ -79,7 +79,7 @@ def tip_motion(frames: Array, last: int, hand: Array, before: Vec3, command: Arr
     """Return the true position of the tip in L [m], its distance from an earlier one [m], and `is_commanded`.
 
     Args:
-        frames: (n, 12) true poses of the arm's frames in L.
+        frames: (f, 12) true poses of the arm's frames in L.
         last: row of the last joint's frame.
         hand: (12,) pose of the tip in this frame.
         before: the earlier position in L [m].

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from typing import cast
-
 from aftdeck.kinematics.observe import SEEN, observe_near
 from aftdeck.simulation.constants.flight import Flight
 from aftdeck.simulation.frame import AT_HARD, FREE, PAST_REACH, PAST_SOFT, Level
@@ -15,9 +13,8 @@ from aftdeck.worksite.conditions import quantity_text
 from aftdeck.worksite.watch.alarm import level_of
 from aftdeck.worksite.watch.found import CLEARANCE
 
-Zones = tuple[int, int, int, int, int, int]
+Zones = tuple[int, ...]
 
-_ALL_FREE: Zones = (FREE,) * 6
 TOUCHING = 1e-6
 """Distance from a hard stop within which a joint counts as at the stop [rad]."""
 _BACK_TEXTS = {PAST_REACH: "back inside its soft stop", PAST_SOFT: "off its hard stop"}
@@ -47,7 +44,7 @@ def log_arm_events(flight: Flight, state: State, log: Log) -> None:
             name for name, d in zip(model.singularities, distances, strict=True) if abs(d) < model.singular
         )
     else:
-        zones, singular = _ALL_FREE, ()
+        zones, singular = (FREE,) * len(plant.angles), ()
     if zones != panel.zones:
         _log_zone_changes(log, flight.scenario.arm.joints, panel.zones, zones)
         panel.zones = zones
@@ -62,7 +59,7 @@ def log_arm_events(flight: Flight, state: State, log: Log) -> None:
 
 def _zones(flight: Flight, angles: list[float]) -> Zones:
     """Return the zone of each joint."""
-    found = tuple(
+    return tuple(
         FREE
         if reach[0] <= q <= reach[1]
         else PAST_REACH
@@ -72,7 +69,6 @@ def _zones(flight: Flight, angles: list[float]) -> Zones:
         else AT_HARD
         for q, reach, soft, hard in zip(angles, flight.reach, flight.soft, flight.hard, strict=True)
     )
-    return cast("Zones", found)
 
 
 def _log_zone_changes(log: Log, joints: tuple[str, ...], before: Zones, zones: Zones) -> None:

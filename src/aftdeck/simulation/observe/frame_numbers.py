@@ -15,8 +15,6 @@ from aftdeck.steering.layout import (
     DEMAND,
     DRIVE,
     MOTION_ACTIVE,
-    RATE,
-    RATES,
     RATIO,
     REMAINING,
     SPEED,
@@ -29,8 +27,6 @@ from aftdeck.tuples import Rows, Six, Vec3
 
 Observed = tuple[Vec3, Rows, Six, Vec3, Rows]
 """Position, rotation (rows) and twist of the tip; distances from the singularities; LNKAGE's T_B5."""
-Joints = tuple[Six, Six, Six, Six, Six]
-"""Angles, rates, commanded angles, commanded rates, rate limits."""
 Steered = tuple[Six, Six, tuple[float, float], Vec3, Vec3]
 """Commanded twist, demanded twist, limits of the point of resolution, THC deflection, RHC deflection."""
 Scalars = tuple[float, float, float, float, float]
@@ -65,22 +61,18 @@ def frame_numbers(
     arm: Array,
     mount: Array,
     angles: Array,
-    rates: Array,
-    commanded: Array,
     seen: Array,
     rules: Array,
     command: Array,
     steering: Array,
     report: Array,
-) -> tuple[Observed, Joints, Steered, Scalars]:
-    """Return the numbers of a frame.
+) -> tuple[Observed, Steered, Scalars]:
+    """Return the numbers of a frame, but for those of the joints, whose number depends on the arm.
 
     Args:
         arm: packed links.
         mount: (3, 3) rotation from L to the orbiter's body axes.
-        angles: (6,) measured joint angles [rad].
-        rates: (6,) measured joint rates [rad/s].
-        commanded: (6,) commanded joint angles [rad].
+        angles: (n,) measured joint angles [rad].
         seen: (21,) values computed by `kinematics.observe.observe`.
         rules: rules in force. `steering.layout` defines this array and the next three.
         command: input of the steering laws.
@@ -89,7 +81,6 @@ def frame_numbers(
     """
     return (
         (vec3(seen, 0), rows(seen, 3), six(seen, 12), vec3(seen, 18), wrist_pitch(arm, angles, mount)),
-        (six(angles, 0), six(rates, 0), six(commanded, 0), six(steering, RATES), six(rules, RATE)),
         (
             six(steering, TWIST),
             six(report, DEMAND),

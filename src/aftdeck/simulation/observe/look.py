@@ -13,6 +13,7 @@ from aftdeck.simulation.observe.look_work import work_of
 from aftdeck.simulation.observe.motions import motions_of
 from aftdeck.simulation.payloads.grasp import packed_in_grasp
 from aftdeck.simulation.state import Panel, State
+from aftdeck.steering.layout import RATE, RATES
 from aftdeck.steering.mode import MODES
 from aftdeck.tuples import Rows, Vec3
 
@@ -20,21 +21,22 @@ from aftdeck.tuples import Rows, Vec3
 def frame_of(flight: Flight, state: State, seal: bytes) -> Frame:
     """Return the frame of the last step, with its log lines and the state's digest; leave the state unchanged."""
     scenario, panel, plant = flight.scenario, state.panel, state.plant
-    model = scenario.arm.model
-    observed, joints, steered, scalars = frame_numbers(
+    model, rules = scenario.arm.model, state.rules
+    observed, steered, scalars = frame_numbers(
         model.links,
         model.mount.rotation,
         plant.angles,
-        plant.rates,
-        plant.commanded,
         state.observed,
-        state.rules,
+        rules,
         state.command,
         state.steering,
         state.report,
     )
     position, orientation, tip_twist, singularity, wrist_pitch = observed
-    angles, rates, angles_commanded, rates_commanded, rate_limits = joints
+    angles, rates = tuple(plant.angles.tolist()), tuple(plant.rates.tolist())
+    angles_commanded, joints = tuple(plant.commanded.tolist()), len(model.joints)
+    rates_commanded = tuple(state.steering[RATES : RATES + joints].tolist())
+    rate_limits = tuple(rules[RATE : RATE + joints].tolist())
     twist_commanded, twist_demanded, por_limits, translation, rotation = steered
     drive, ratio, remaining, turn_remaining, go = scalars
     points = len(scenario.sequences.get(panel.mode, ()))

@@ -78,7 +78,7 @@ class Ahead(msgspec.Struct, frozen=True, gc=False):
     stopping: float
     """Distance between the tip's positions now and at rest, if the sticks are centred now [m]."""
     joint: int
-    """Joint nearest to a reach limit at that time, 0 to 5."""
+    """Joint nearest to a reach limit at that time, from 0."""
     room: float
     """Distance of that joint from its reach limit at that time; negative past the limit [rad]."""
 
@@ -105,12 +105,13 @@ def look_ahead(flight: Flight, state: State, seconds: float, last: Axis | None =
         worksite.contacts, worksite.permitted,
     )[0]  # fmt: skip
     port = [meeting.group for meeting in site.meetings if meeting.relation == "docking" and not outside[meeting.group]]
+    joints = len(state.plant.angles)
     watch, height, contact, docked, period = worksite.watch.copied(), stand.position, None, False, seconds / SAMPLES
     for sample in range(1, SAMPLES + 1):
         rehearse(rules, command, steering, report, period)
         height = stand.after(travel, driven, sample * period)
         steering[SHOULDER_OFFSET] += height - stand.after(travel, driven, (sample - 1) * period)
-        angles = steering[ANGLES : ANGLES + 6]
+        angles = steering[ANGLES : ANGLES + joints]
         frames = frames_at(site, worksite, state.plant, angles, height, worksite.prong.position)
         watch.look_near(frames, frames, period, site.detrimental, 0.0)
         may = permitted(site, watch, frames)
@@ -125,13 +126,13 @@ def look_ahead(flight: Flight, state: State, seconds: float, last: Axis | None =
     )[0]
     watch.look_near(frames, frames, period, counts, 0.0)
     group = watch.nearest(counts)
-    a, b, c, d, e, f = angles.tolist()
-    joint, room = _room(flight.reach, (a, b, c, d, e, f))
+    predicted = tuple(angles.tolist())
+    joint, room = _room(flight.reach, predicted)
     return Ahead(
         seconds=seconds,
         held=held,
         moves=bool(np.abs(angles - state.plant.angles).max() > _STILL or height != stand.position),
-        angles=(a, b, c, d, e, f),
+        angles=predicted,
         stand=height,
         cargo=tuple(_placed(row) for row in frames[len(frames) - len(site.cargo) :].tolist()),
         nearest=None if group < 0 else near_of(site.layout, worksite.contacts.essential, watch.found, group),
@@ -200,7 +201,8 @@ def _stopping(state: State) -> float:
         rehearse(rules, command, steering, report, 0.5)
         command[MOTION_ACTIVE] = 0.0
         elapsed += 0.5
-    here, there = (state.arm.forward(angles).position for angles in (state.plant.angles, steering[ANGLES : ANGLES + 6]))
+    now = state.plant.angles
+    here, there = (state.arm.forward(angles).position for angles in (now, steering[ANGLES : ANGLES + len(now)]))
     return float(lengths(here - there))
 
 

@@ -20,22 +20,19 @@ from aftdeck.tuples import Rows, Six, Vec3
 
 
 @law
-def body_numbers(
-    frames: Array, last: int, tip: Array, torques: Array, base: Array, fired: Array
-) -> tuple[Vec3, Rows, Six, Vec3, Rows, Six]:
-    """Return position and attitude of the tip, torques, position and attitude of L, and firing times.
+def body_numbers(frames: Array, last: int, tip: Array, base: Array, fired: Array) -> tuple[Vec3, Rows, Vec3, Rows, Six]:
+    """Return position and attitude of the tip, position and attitude of L, and firing times.
 
     Args:
         frames: (F, 12) poses of all frames in L.
         last: row of the last joint's frame.
         tip: (12,) pose of the tip in this frame.
-        torques: (6,) torques [N m].
         base: (12,) pose of L, relative to its pose at the start of the run.
         fired: (6,) times for which the orbiter's jets have fired [s].
     """
     at = np.empty(POSE)
     compose(frames[last], tip, at)
-    return vec3(at, 0), rows(at, 3), six(torques, 0), vec3(base, 0), rows(base, 3), six(fired, 0)
+    return vec3(at, 0), rows(at, 3), vec3(base, 0), rows(base, 3), six(fired, 0)
 
 
 def dynamics_of(flight: Flight, state: State) -> Dynamics | None:
@@ -43,19 +40,19 @@ def dynamics_of(flight: Flight, state: State) -> Dynamics | None:
     bodies, site, target = state.plant.bodies, flight.site, state.panel.target
     if bodies is None:
         return None
-    position, orientation, torques, at, axes, fired = body_numbers(
-        state.worksite.frames, site.last_joint, site.hand, bodies.torques, state.plant.base, bodies.fired
+    position, orientation, at, axes, fired = body_numbers(
+        state.worksite.frames, site.last_joint, site.hand, state.plant.base, bodies.fired
     )
     miss = None
     if target is not None:
         miss = distance(target.position, position), angle_between(target.rotation, orientation)
     driven = bodies.overdriven.tolist()
-    overdriven = tuple([joint for joint in range(6) if driven[joint]]) if any(driven) else ()
+    overdriven = tuple([joint for joint, beyond in enumerate(driven) if beyond]) if any(driven) else ()
     return Dynamics(
         position,
         orientation,
         miss,
-        torques,
+        tuple(bodies.torques.tolist()),
         overdriven,
         Placed(at, axes),
         fired,

@@ -18,7 +18,7 @@ from aftdeck.simulation.payloads.objective import present_objective
 from aftdeck.simulation.state import State
 from aftdeck.steering.layout import MASTER
 from aftdeck.steering.mode import MODES
-from aftdeck.tuples import Six, Vec3
+from aftdeck.tuples import Joints, Vec3
 from aftdeck.worksite.capture.snare import Snare, flags
 from aftdeck.worksite.report import Cargo, Hand, Near, Work
 from aftdeck.worksite.watch.found import CLEARANCE, DISTANCE, FEATURE_A, FEATURE_B, NORMAL, POINT_A, POINT_B, SPEED
@@ -56,7 +56,7 @@ def work_of(flight: Flight, state: State) -> Work:
         orbiter=_displacement(site, worksite, state.plant),
         orbiter_velocity=_velocity(site, worksite, state.plant),
         cargo=tuple(_cargo(site, worksite, k, period) for k in range(len(site.cargo))),
-        master=_six(state.command[MASTER : MASTER + 6]) if MODES[state.panel.mode].kind == "master" else None,
+        master=_master(state) if MODES[state.panel.mode].kind == "master" else None,
     )
 
 
@@ -99,9 +99,9 @@ def _in_l(site: Site, along: Array) -> Vec3:
     return a * x + b * y + c * z, d * x + e * y + f * z, g * x + h * y + i * z
 
 
-def _six(values: Array) -> Six:
-    a, b, c, d, e, f = values.tolist()
-    return a, b, c, d, e, f
+def _master(state: State) -> Joints:
+    """Return the master arm's joint angles [rad]."""
+    return tuple(state.command[MASTER : MASTER + len(state.plant.angles)].tolist())
 
 
 def near_of(layout: Layout, essential: Mask, found: Array, group: int) -> Near:

@@ -27,7 +27,7 @@ def final_error_text(scenario: Scenario, arm: Arm, angles: Array, target: Target
     Args:
         scenario: the scenario, with its end sphere.
         arm: the arm, with its telescope at the present length.
-        angles: (6,) joint angles [rad].
+        angles: (n,) joint angles [rad].
         target: final pose of the motion.
     """
     tip = arm.forward(angles)

@@ -1,6 +1,6 @@
-"""Motion of the master arm by the sticks, for operators without a device that measures six angles.
+"""Motion of the master arm by the sticks, for operators without a device that measures its angles.
 
-Each stick axis moves one joint of the master arm.
+Each stick axis moves one joint of the master arm; the sticks do not move the other joints.
 """
 
 from __future__ import annotations
@@ -16,12 +16,12 @@ AXES: tuple[StickAxis, ...] = ("RHC roll", "RHC pitch", "RHC yaw", "THC X", "THC
 """Stick axes, in the order of `steering.layout.STICKS`."""
 
 
-def axes_of(model: ArmModel) -> tuple[int, ...]:
-    """Return the index in `AXES` of the stick axis that moves each joint of the master arm."""
-    return tuple(AXES.index(axis) for axis in model.equipment.master)
+def axes_of(model: ArmModel) -> tuple[int | None, ...]:
+    """Return the index in `AXES` of the stick axis that moves each joint of the master arm; None for no axis."""
+    return tuple(None if axis is None else AXES.index(axis) for axis in model.equipment.master)
 
 
-def turn_master(axes: tuple[int, ...], rules: Array, command: Array, period: float) -> None:
+def turn_master(axes: tuple[int | None, ...], rules: Array, command: Array, period: float) -> None:
     """Move the master arm by the sticks in `command`; full deflection moves a joint at its rate limit.
 
     The sticks do not move the master arm beyond the stops in force. If a device has moved a joint beyond a stop, the
@@ -33,7 +33,8 @@ def turn_master(axes: tuple[int, ...], rules: Array, command: Array, period: flo
         command: input of the steering laws; its angles of the master arm are changed.
         period: control period [s].
     """
-    master = command[MASTER : MASTER + 6]
-    sticks = command[[STICKS + axis for axis in axes]]
-    low, high = np.minimum(rules[LOW : LOW + 6], master), np.maximum(rules[HIGH : HIGH + 6], master)
-    master[:] = np.clip(master + sticks * rules[RATE : RATE + 6] * period, low, high)
+    joints = len(axes)
+    master = command[MASTER : MASTER + joints]
+    sticks = np.array([0.0 if axis is None else command[STICKS + axis] for axis in axes])
+    low, high = np.minimum(rules[LOW : LOW + joints], master), np.maximum(rules[HIGH : HIGH + joints], master)
+    master[:] = np.clip(master + sticks * rules[RATE : RATE + joints] * period, low, high)

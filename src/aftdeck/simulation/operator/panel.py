@@ -30,7 +30,7 @@ def operate(flight: Flight, state: State, log: Log, inputs: Inputs) -> None:
     if inputs.mode is not None and inputs.mode != panel.mode:
         _enter(sequences, state, log, inputs.mode)
     if inputs.master is not None:
-        state.command[MASTER : MASTER + 6] = inputs.master
+        state.command[MASTER : MASTER + len(inputs.master)] = inputs.master
     if inputs.target is not None:
         _key_in(sequences, state, log, inputs.target)
     if inputs.stop or joint_lock_reason(panel):
@@ -99,11 +99,11 @@ def _enter(sequences: Sequences, state: State, log: Log, position: str) -> None:
     if MODES[position].prestored and position not in sequences:
         log.reject(f"{position} refused: no points are stored for it in this scenario")
         return
-    panel = state.panel
+    panel, joints = state.panel, len(state.plant.angles)
     if mode.kind == "master":  # the master arm starts from the angles of the arm
-        state.command[MASTER : MASTER + 6] = state.steering[AIMS : AIMS + 6]
+        state.command[MASTER : MASTER + joints] = state.steering[AIMS : AIMS + joints]
     if mode.kind == "single":  # mode 8 holds the joints at these angles, theta_0
-        state.command[KEPT : KEPT + 6] = state.steering[AIMS : AIMS + 6]
+        state.command[KEPT : KEPT + joints] = state.steering[AIMS : AIMS + joints]
     panel.mode, panel.rate_hold_sticks, panel.position_hold_target, panel.point = position, None, None, 0
     panel.motion_began = state.tick - 1
     log.add("mode", "info", f"{position} entered: {mode.title}")

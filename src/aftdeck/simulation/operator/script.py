@@ -202,7 +202,7 @@ def _arrived(flight: Flight, state: State, phase: PhasePlan) -> bool:
     """Return whether a phase has reached its target. If CMD CK or the motion failed, end the script with "fault"."""
     panel = state.panel
     if MODES[phase.mode].kind == "master":
-        late = np.abs(state.plant.angles - state.steering[AIMS : AIMS + 6]).max()  # of the servos
+        late = np.abs(state.plant.angles - state.steering[AIMS : AIMS + len(state.plant.angles)]).max()  # of the servos
         return bool(state.report[ARRIVED] and late < flight.plant.accuracy.angle)
     if phase.joint_at is not None:
         at_angle = abs(phase.joint_at - state.plant.angles[phase.joint]) < flight.plant.accuracy.angle

@@ -59,7 +59,7 @@ def begin(state: State, target: Target, joints: Joints | None = None) -> None:
     command[TARGET : TARGET + 3] = target.position
     command[TARGET + 3 : TARGET + 12] = np.ravel(target.rotation)
     command[PLAN:MASTER] = 0.0
-    command[PLAN : PLAN + 6] = final
+    command[PLAN : PLAN + len(final)] = final
     panel.target, panel.sequence, panel.blocked = target, "in progress", 0
 
 

@@ -43,9 +43,8 @@ def ways(scenario: Scenario, state: State, target: Target, law: LawChoice) -> tu
     rules = state.carried.rules["OPR CMD", state.panel.rate, AUTOMATIC_LAWS["position"]]
     result = []
     for angles in found:
-        a, b, c, d, e, f = angles.tolist()
-        least = float((np.abs(angles - now) / rules[RATE : RATE + 6]).max())
-        result.append(Way("position", (a, b, c, d, e, f), least, _name(arm, now, angles)))
+        least = float((np.abs(angles - now) / rules[RATE : RATE + len(now)]).max())
+        result.append(Way("position", tuple(angles.tolist()), least, _name(arm, now, angles)))
     return tuple(sorted(result, key=lambda way: way.least))
 
 
@@ -80,7 +79,7 @@ def _branches(scenario: Scenario, arm: Arm, now: Array, target: Target) -> list[
 
     Under `strict`, return only RMANGS's own solution, without a test of the soft stops. If no solution is inside the
     soft stops, return all solutions under `as_flown`; without `as_flown`, raise UnreachableError.
-    `now` (6,) are the present angles [rad].
+    `now` (n,) are the present angles [rad].
     """
     near = now if target.joints is None else np.array(target.joints)
     if scenario.strict:
@@ -102,7 +101,7 @@ def _branches(scenario: Scenario, arm: Arm, now: Array, target: Target) -> list[
 
 
 def _name(arm: Arm, now: Array, angles: Array) -> str:
-    """Return a text that names the parts of the arm that are flipped at `angles` (6,) relative to `now` (6,)."""
+    """Return a text that names the parts of the arm that are flipped at `angles` (n,) relative to `now` (n,)."""
     before, after = (arm.singularities(q) for q in (now, angles))
     turned = [
         name for name, a, b in zip(arm.model.singularities, before, after, strict=True) if float(a) * float(b) < 0.0

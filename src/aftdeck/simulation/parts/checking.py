@@ -94,7 +94,7 @@ class Premises(msgspec.Struct, frozen=True):
     standing: bool
     """Whether BRAKES or SAFING is on."""
     angles: tuple[float, ...]
-    """(6,) measured joint angles [rad]."""
+    """(n,) measured joint angles [rad]."""
     moving: tuple[float, ...]
     """(3,) velocity of the orbiter's translation [m/s]."""
     frames: bytes

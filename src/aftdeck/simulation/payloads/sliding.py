@@ -40,7 +40,7 @@ def slide_along(flight: Flight, state: State, telescope: float, held: int) -> fl
         the payload out of the walls, so that the arm must stop.
     """
     site, worksite, period = flight.site, state.worksite, flight.scenario.control_period
-    counts, travel = site.slides[held], flight.telescope
+    counts, travel, joints = site.slides[held], flight.telescope, len(state.plant.angles)
     near = met(worksite.watch.found, counts, state.steering, abs(telescope) * travel.rate, period)
     if near == 0.0:
         return telescope
@@ -52,7 +52,7 @@ def slide_along(flight: Flight, state: State, telescope: float, held: int) -> fl
     for turning in (1.0, 0.0):
         state.steering[:] = commanded
         slid(rules, site.arm.joints, last, height, turning, found, state.steering)
-        after = frames_after(flight, worksite, state.plant, state.steering[RATES : RATES + 6], telescope)
+        after = frames_after(flight, worksite, state.plant, state.steering[RATES : RATES + joints], telescope)
         if deeper(worksite.watch, counts, after) <= INTO:
             return telescope
     return None

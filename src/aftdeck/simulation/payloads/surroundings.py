@@ -121,7 +121,7 @@ def ride(scene: Array, base: Array, true: Array, carrier: Indices, poses: Array,
     Args:
         scene: (12,) the orbiter's frame in L.
         base: (12,) pose of L in the frame that is fixed in space and coincided with L at the start.
-        true: (n, 12) poses of the arm's frames in L.
+        true: (f, 12) poses of the arm's frames in L.
         carrier: (c,) as in `place_everything`.
         poses: (c, 12) poses of the payloads, in the frame of `base`.
         rides: (c, 12) output: as in `place_everything`.

@@ -29,7 +29,7 @@ from aftdeck.worksite.file.check import depth_in
 ArmPose = tuple[Array, float, float]
 """Joint angles [rad], length of the telescope and position of the prong [m]."""
 _SMALL_ROTATION = 0.1
-"""Test rotation of the first joint [rad], to find the direction in which this joint moves the elbow."""
+"""Test rotation of the first joint [rad], to find the direction in which this joint moves the middle of the arm."""
 
 
 def cameras(scenario: Scenario) -> Iterator[Problem]:
@@ -89,8 +89,9 @@ def _aimed_at(scenario: Scenario, samples: list[ArmPose], points: list[Array]) -
     middle = 0.5 * model.limits.soft.sum(axis=1)
     turned = middle.copy()
     turned[0] += _SMALL_ROTATION
-    elbow = model.linkage.frames[3]
-    ahead, after = (_azimuth(placed(scenario, at, 0.0, 0.0)[elbow].position) for at in (middle, turned))
+    frames = model.linkage.frames
+    half_way = frames[len(frames) // 2]  # the elbow of an arm with six joints
+    ahead, after = (_azimuth(placed(scenario, at, 0.0, 0.0)[half_way].position) for at in (middle, turned))
     sign, start = np.sign(np.sin(after - ahead)), middle[0]
     found = []
     for k, (angles, stand, prong) in enumerate(samples):

@@ -29,7 +29,7 @@ def loads(scenario: Scenario) -> tuple[tuple[str, float], ...]:
 
 def _row(scenario: Scenario, number: int, name: str, mass: float) -> PayloadInfo:
     """Return a row of the table: the steering limits for a payload of this mass [kg]."""
-    model = scenario.arm.model
+    model, joints = scenario.arm.model, len(scenario.arm.joints)
     rules = rules_of(model, por_with(model, mass, scenario.por), scenario.control_period)
     coarse, vernier = rules["SINGLE", "coarse", 8], rules["SINGLE", "vernier", 8]
     return PayloadInfo(
@@ -38,8 +38,8 @@ def _row(scenario: Scenario, number: int, name: str, mass: float) -> PayloadInfo
         mass=mass,
         translation=(float(coarse[SPEED]), float(vernier[SPEED])),
         rotation=(float(coarse[TURN]), float(vernier[TURN])),
-        coarse=tuple(coarse[RATE : RATE + 6].tolist()),
-        vernier=tuple(vernier[RATE : RATE + 6].tolist()),
+        coarse=tuple(coarse[RATE : RATE + joints].tolist()),
+        vernier=tuple(vernier[RATE : RATE + joints].tolist()),
     )
 
 

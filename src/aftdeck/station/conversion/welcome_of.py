@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from aftdeck.arms.geometry import PRONG
 from aftdeck.arrays import Array
 from aftdeck.details.details_of import details_of
 from aftdeck.scenario.all_cameras import cameras_of
@@ -41,7 +42,7 @@ def welcome_of(scenario: Scenario, *, demo: bool) -> Welcome:
         JointInfo(
             name,
             label,
-            stick=AXES[axis],
+            stick=None if axis is None else AXES[axis],
             hard=_pair(model.limits.hard[i]),
             soft=_pair(model.limits.soft[i]),
             reach=_pair(model.limits.reach[i]),
@@ -90,9 +91,11 @@ def welcome_of(scenario: Scenario, *, demo: bool) -> Welcome:
 
 def _work(scenario: Scenario) -> WorkInfo:
     """Return the equipment of a scenario's worksite and its clearance thresholds."""
-    equipment = scenario.arm.model.equipment
+    model = scenario.arm.model
+    equipment = model.equipment
     return WorkInfo(
         hand="snares" if equipment.prong is None else "prong",
+        effector=(model.linkage.frames[-1], *(() if equipment.prong is None else (PRONG,))),
         stand=None if equipment.telescope is None else StandInfo(*equipment.telescope),
         cargo=tuple(cargo.name for cargo in scenario.cargo),
         seats=tuple(SeatInfo(seat.name, seat.title) for seat in scenario.worksite.seats),

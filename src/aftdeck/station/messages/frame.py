@@ -82,7 +82,7 @@ class Ahead(msgspec.Struct, frozen=True):
     stopping: float
     """Distance that the tip still moves if the sticks are centred now [m]."""
     joint: int
-    """Joint nearest to a reach limit at the end of the time span, 0 to 5."""
+    """Joint nearest to a reach limit at the end of the time span, from 0."""
     room: float
     """Angle from this joint to its reach limit at the end of the time span [rad]; negative past the limit."""
     poses: tuple[float, ...]

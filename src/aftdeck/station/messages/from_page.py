@@ -86,7 +86,7 @@ class SelectJoint(WireMessage, frozen=True, tag="select_joint"):
 
     seq: Seq
     joint: int
-    """0 to 5, in the order of `Welcome.joints`."""
+    """Number of the joint, from 0, in the order of `Welcome.joints`."""
 
 
 class SelectRate(WireMessage, frozen=True, tag="select_rate"):

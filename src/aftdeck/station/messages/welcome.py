@@ -22,8 +22,8 @@ class JointInfo(msgspec.Struct, frozen=True):
     """Name in the arm file: ``shoulder_yaw``."""
     label: str
     """Name on the page: ``Sho yaw``."""
-    stick: str
-    """Axis of the hand controllers that moves this joint of the master arm: ``THC Y``."""
+    stick: str | None
+    """Axis of the hand controllers that moves this joint of the master arm: ``THC Y``; null if no axis moves it."""
     hard: tuple[float, float]
     soft: tuple[float, float]
     reach: tuple[float, float]
@@ -102,6 +102,8 @@ class WorkInfo(msgspec.Struct, frozen=True):
 
     hand: Literal["prong", "snares"]
     """Kind of the arm's end effector."""
+    effector: tuple[str, ...]
+    """Names of the end effector's bodies: the one that carries the tip, then a prong."""
     stand: StandInfo | None
     """Telescope under the arm; null if the arm has no telescope."""
     cargo: tuple[str, ...]

@@ -46,7 +46,7 @@ def place_everything(
         angles: (n,) joint angles [rad].
         stand: height of the shoulder above L's origin [m].
         prong: y2 of the prong's inner face [m].
-        true: (n, 12) poses of the arm's frames in L, without the prong's; (0, 12) if they follow from the joint angles.
+        true: (f, 12) poses of the arm's frames in L, without the prong's; (0, 12) if they follow from the joint angles.
         base: (12,) pose of L in the frame that is fixed in space and coincided with L at the start, apart from
             `orbiter`.
         frames: (F, 12) output: poses in L.

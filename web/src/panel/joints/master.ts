@@ -44,7 +44,11 @@ export function masterGroup(desk: Desk): MasterGroup {
     const row = el(
       'tr',
       {},
-      el('th', { scope: 'row', title: `${joint.stick} also moves this joint` }, joint.label),
+      el(
+        'th',
+        { scope: 'row', ...(joint.stick && { title: `${joint.stick} also moves this joint` }) },
+        joint.label,
+      ),
       el('td', { class: 'scale' }, bar.element),
       actual,
       commanded,
@@ -63,7 +67,7 @@ export function masterGroup(desk: Desk): MasterGroup {
       el('tbody', {}, ...rows.map(({ row }) => row), ...(stand ? [stand.element] : [])),
     ),
   );
-  const thc = desk.welcome.joints.flatMap(({ stick }) => (stick.startsWith('THC') ? [stick.slice(4)] : []));
+  const thc = desk.welcome.joints.flatMap(({ stick }) => (stick?.startsWith('THC') ? [stick.slice(4)] : []));
   setAbout(element, `degrees; sliders, or THC ${thc.join(' ')} and RHC`);
   return {
     element,
