@@ -37,7 +37,7 @@ COUNT = SCALE + 1
 RANK = COUNT + 1
 """Number of independent twists that the chain can make in most postures."""
 EVEN = RANK + 1
-"""Last singular value of the rank as a share of the first, in the best posture: the distance from a singularity is 1."""
+"""Last singular value of the rank as a share of the first, in the best posture: the distance is 1 there."""
 CHAIN = EVEN + 1
 """Number of values in a packed chain."""
 

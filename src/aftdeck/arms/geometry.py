@@ -56,6 +56,12 @@ class Linkage(NamedTuple):
     singularities: tuple[str, ...] = NAMED
     slides: tuple[bool, ...] = (False,) * 6
 
+    @property
+    def arms(self) -> tuple[int, ...]:
+        """Indices of the frames that carry the two longest links, and of the last frame: ARM 0, ARM 1 and ARM 2."""
+        links = sorted(range(1, len(self.steps)), key=lambda k: -length(self.steps[k].tolist()))
+        return (*sorted(links[:2]), len(self.steps))
+
 
 def linkage_of(file: ArmFile) -> Linkage:
     """Return the linkage that a file describes."""

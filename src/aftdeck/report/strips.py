@@ -76,7 +76,7 @@ def sources(scenario: Scenario) -> tuple[Source, ...]:
         ),
         Source("Remaining distance", "distance", (("actual", lambda f, _: f.goal.distance if f.goal else None),)),
         Source("RATLMT ratio", "ratio", (("actual", lambda f, _: f.ratio),)),
-        *(_singularity(i, name) for i, name in enumerate(("shoulder", "elbow", "wrist"))),
+        *(_singularity(i, name) for i, name in enumerate(scenario.arm.model.singularities)),
         *(_angle(i, label) for i, label in enumerate(scenario.arm.model.labels)),
         Source("THC", "share", (("commanded", lambda f, _: _deflection(f.translation)),)),
         Source("RHC", "share", (("commanded", lambda f, _: _deflection(f.rotation)),)),

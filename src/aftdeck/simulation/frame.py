@@ -351,7 +351,10 @@ class Frame(msgspec.Struct, frozen=True, gc=False):
         tuple[Limit, ...], field_meta("limits that were active in this step", value="active_limits(flight, state)")
     ]
     singularity: Annotated[
-        Vec3, field_meta("signed distances from the shoulder, elbow and wrist singularity", "1", decimals=7)
+        tuple[float, ...],
+        field_meta(
+            "signed distances from the arm's singularities: shoulder, elbow, wrist; or only rank", "1", decimals=7
+        ),
     ]
     singular: Annotated[
         tuple[str, ...], field_meta("singularities nearer than the arm's threshold", value="panel.singular")

@@ -49,9 +49,9 @@ def warm_up(scenario: Scenario) -> None:
     with contextlib.suppress(AftdeckError):  # the start pose may be singular
         arm.inverse(here.pose, near=scenario.initial_angles)
     look_ahead(flight, state, MOST_S, (3, 1))
-    ways_out(flight, state, (1, *(0,) * (joints - 1)), ("elbow",))
+    ways_out(flight, state, (1, *(0,) * (joints - 1)), scenario.arm.model.singularities[-1:])
     step(flight, state, Inputs(mode="SINGLE"))
-    ways_out(flight, state, (0,) * joints, ("elbow",))
+    ways_out(flight, state, (0,) * joints, scenario.arm.model.singularities[-1:])
     step(flight, state, None)
     state.worksite.contacts.judge(touching=True, changed=True, prong=flight.site.by_prong, mode=state.worksite.task)
     way_out_of_contact(flight, state)

@@ -22,8 +22,6 @@ from aftdeck.visual.placing import Memory
 from aftdeck.visual.planes import TOLERANCE, extent
 from aftdeck.visual.store import Store
 
-_ARMS = (2, 3, 6)
-"""Joint frames of ARM 0, ARM 1 and ARM 2 in `ArmModel.linkage.frames`; each link extends along its frame's x axis."""
 _FOLDED = 1e-6
 """Length of the sum of two links' directions below which the links are folded back, so that no plane bisects them."""
 
@@ -31,17 +29,19 @@ _FOLDED = 1e-6
 def bisected_pairs(model: ArmModel, frames: Sequence[str], volumes: Sequence[float]) -> Indices:
     """Return the pairs (B, 2) of clusters that the two planes separate: a boom, and the boom or the hand after it.
 
+    A plane bisects the x axes of two frames; where the links lie along other axes, it separates nothing and is not used.
+
     Args:
         model: the arm.
         frames: name of the frame of each cluster.
         volumes: volume of each cluster; a boom is the largest cluster of its frame.
     """
-    upper, lower, hand = (
-        [k for k, frame in enumerate(frames) if frame == model.linkage.frames[number]] for number in _ARMS
+    *links, hand = (
+        [k for k, frame in enumerate(frames) if frame == model.linkage.frames[number]] for number in model.linkage.arms
     )
-    booms = [max(own, key=lambda k: volumes[k]) for own in (upper, lower) if own]
+    booms = [max(own, key=lambda k: volumes[k]) for own in links if own]
     pairs = [tuple(booms)] if len(booms) > 1 else []
-    if lower:
+    if links and links[-1]:
         pairs += [(booms[-1], k) for k in hand]
     return np.array(pairs, dtype=np.int64).reshape(-1, 2)
 

@@ -634,6 +634,8 @@ export interface Welcome {
   /** Payload table by PL ID, from 0. */
   readonly payloads: readonly PayloadInfo[];
   readonly sequences: readonly StoredSequence[];
+  /** Names of the singularities whose distances a frame has. */
+  readonly singularities: readonly string[];
   /** Normalised distance from a singularity; the page shows a caution below this value. */
   readonly singular: number;
   /** Steps of the operator's task; empty if the scenario describes none. */
@@ -1051,8 +1053,8 @@ export interface Frame {
   readonly ratio: number;
   /** limits that were active in this step */
   readonly limits: readonly Limit[];
-  /** signed distances from the shoulder, elbow and wrist singularity */
-  readonly singularity: Vec3;
+  /** signed distances from the arm's singularities: shoulder, elbow, wrist; or only rank */
+  readonly singularity: readonly number[];
   /** singularities nearer than the arm's threshold */
   readonly singular: readonly string[];
   /** escape direction from each singularity in `singular` and each joint beyond a limit; while a contact inhibits the arm, only the escape direction from the contact */

@@ -74,3 +74,8 @@ export function parseNumber(text: string): number | null {
 function pad(value: number, width: number): string {
   return String(value).padStart(width, '0');
 }
+
+/** A text with a capital at its beginning. */
+export function capitalised(text: string): string {
+  return text.charAt(0).toUpperCase() + text.slice(1);
+}

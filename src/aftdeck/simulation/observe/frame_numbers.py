@@ -25,8 +25,8 @@ from aftdeck.steering.layout import (
 )
 from aftdeck.tuples import Rows, Six, Vec3
 
-Observed = tuple[Vec3, Rows, Six, Vec3, Rows]
-"""Position, rotation (rows) and twist of the tip; distances from the singularities; LNKAGE's T_B5."""
+Observed = tuple[Vec3, Rows, Six, Rows]
+"""Position, rotation (rows) and twist of the tip; LNKAGE's T_B5."""
 Steered = tuple[Six, Six, tuple[float, float], Vec3, Vec3]
 """Commanded twist, demanded twist, limits of the point of resolution, THC deflection, RHC deflection."""
 Scalars = tuple[float, float, float, float, float]
@@ -67,20 +67,20 @@ def frame_numbers(
     steering: Array,
     report: Array,
 ) -> tuple[Observed, Steered, Scalars]:
-    """Return the numbers of a frame, but for those of the joints, whose number depends on the arm.
+    """Return the numbers of a frame, but for those whose number depends on the arm: of joints and singularities.
 
     Args:
         arm: packed links.
         mount: (3, 3) rotation from L to the orbiter's body axes.
         angles: (n,) measured joint angles [rad].
-        seen: (21,) values computed by `kinematics.observe.observe`.
+        seen: (18 + s,) values computed by `kinematics.observe.observe`.
         rules: rules in force. `steering.layout` defines this array and the next three.
         command: input of the steering laws.
         steering: state of the steering.
         report: output of the steering laws.
     """
     return (
-        (vec3(seen, 0), rows(seen, 3), six(seen, 12), vec3(seen, 18), wrist_pitch(arm, angles, mount)),
+        (vec3(seen, 0), rows(seen, 3), six(seen, 12), wrist_pitch(arm, angles, mount)),
         (
             six(steering, TWIST),
             six(report, DEMAND),

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from aftdeck.frames import angle_between
+from aftdeck.kinematics.observe import SEEN
 from aftdeck.matrices import distance
 from aftdeck.simulation.constants.flight import Flight
 from aftdeck.simulation.frame import Frame, Goal, Placed, Times
@@ -32,7 +33,8 @@ def frame_of(flight: Flight, state: State, seal: bytes) -> Frame:
         state.steering,
         state.report,
     )
-    position, orientation, tip_twist, singularity, wrist_pitch = observed
+    position, orientation, tip_twist, wrist_pitch = observed
+    singularity = tuple(state.observed[SEEN:].tolist())
     angles, rates = tuple(plant.angles.tolist()), tuple(plant.rates.tolist())
     angles_commanded, joints = tuple(plant.commanded.tolist()), len(model.joints)
     rates_commanded = tuple(state.steering[RATES : RATES + joints].tolist())

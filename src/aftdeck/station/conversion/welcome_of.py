@@ -82,6 +82,7 @@ def welcome_of(scenario: Scenario, *, demo: bool) -> Welcome:
         cameras=cameras_of(scenario),
         payloads=payload_table(scenario),
         sequences=stored_sequences(scenario),
+        singularities=model.singularities,
         singular=model.singular,
         steps=tuple(_step(step) for step in scenario.steps),
         next=scenario.next,

@@ -1,7 +1,7 @@
 /** The minimum clearance: its parts, rate of change, and curve over the last minute. Also ARM and FINGER INHIBIT. */
 
 import type { Display, Near } from '../../link/protocol';
-import { small } from '../../words/format';
+import { capitalised, small } from '../../words/format';
 import type { Unit, Units } from '../../words/units';
 import { button, el, group, setAttribute, setClass, setLit, setPressed, setText } from '../parts/dom';
 import type { Desk, Part } from '../parts/part';
@@ -88,7 +88,7 @@ export function clearanceGroup({ welcome }: Desk, plane: () => void): ClearanceG
 }
 
 function pairWords({ a, b }: Pick<Near, 'a' | 'b'>): string {
-  return `${a.charAt(0).toUpperCase()}${a.slice(1)} to ${b}`;
+  return `${capitalised(a)} to ${b}`;
 }
 
 const TASK_PAIR =

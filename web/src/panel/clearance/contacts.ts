@@ -2,7 +2,7 @@
 
 import type { Names } from '../../input/active-device';
 import type { Frame, Welcome, Work } from '../../link/protocol';
-import { small } from '../../words/format';
+import { capitalised, small } from '../../words/format';
 import type { Units } from '../../words/units';
 import { contactWays } from '../../words/way-out';
 import { el } from '../parts/dom';
@@ -74,7 +74,7 @@ export function linesOf(
       }),
     );
   return [
-    ...harmful.map((text): Line => ({ text: sentence(text), level: 'warning' })),
+    ...harmful.map((text): Line => ({ text: capitalised(text), level: 'warning' })),
     ...ways.map((text): Line => ({ text, level: 'caution' })),
     ...essential
       .slice(0, 1)
@@ -86,8 +86,4 @@ export function linesOf(
 /** Returns a force with two digits, after a comma; empty if it is too small to be displayed. */
 function newtons(force: number): string {
   return force < LEAST_FORCE ? '' : `, ${String(Number(force.toPrecision(2)))} N`;
-}
-
-function sentence(text: string): string {
-  return text.charAt(0).toUpperCase() + text.slice(1);
 }

@@ -2,6 +2,7 @@
 
 import type { Names } from '../../input/active-device';
 import type { Frame, Limit, WayOut } from '../../link/protocol';
+import { capitalised } from '../../words/format';
 import { spoken, wayOutText } from '../../words/way-out';
 import { el, group, setAbout } from '../parts/dom';
 import type { Desk, Part } from '../parts/part';
@@ -65,7 +66,7 @@ export function limits({ welcome }: Desk): Part {
 /** `Elbow pitch: THC +Z leads away`, or `Elbow pitch: SINGLE − leads away`. */
 export function leadsAway(way: WayOut, names: Names): string {
   const name = spoken(way.cause);
-  return `${name.charAt(0).toUpperCase()}${name.slice(1)}: ${wayOutText(way, '', names)} leads away`;
+  return `${capitalised(name)}: ${wayOutText(way, '', names)} leads away`;
 }
 
 /** Returns the level of a limit: info for the POR limits, which are active in every motion; caution for all others. */

@@ -3,17 +3,17 @@
  * is marked as a caution and names the escape direction.
  */
 
-import { fixed } from '../../words/format';
+import { capitalised, fixed } from '../../words/format';
 import { spoken, wayOutText } from '../../words/way-out';
 import { el, group, setAbout, setAttribute, setClass, setText, svg } from '../parts/dom';
 import type { Desk, Part } from '../parts/part';
 
 const LENGTH = 200;
 
-export function singularity({ welcome: { singular, joints } }: Desk): Part {
-  const rows = ['Shoulder', 'Elbow', 'Wrist'].map((name) => {
+export function singularity({ welcome: { singularities, singular, joints } }: Desk): Part {
+  const rows = singularities.map((name) => {
     const pointer = svg('rect', { class: 'pointer', y: '3', x: '-3', width: '6', height: '12' });
-    const label = el('span', { class: 'label' }, name);
+    const label = el('span', { class: 'label' }, capitalised(name));
     const value = el('span', { class: 'value' });
     const bar = svg(
       'svg',
@@ -22,7 +22,7 @@ export function singularity({ welcome: { singular, joints } }: Desk): Part {
       svg('rect', { class: 'reach', x: '0', y: '7', width: String(singular * LENGTH), height: '4' }),
       pointer,
     );
-    return { name, pointer, label, value, row: el('div', { class: 'distance' }, label, bar, value) };
+    return { name, title: capitalised(name), pointer, label, value, row: el('div', { class: 'distance' }, label, bar, value) };
   });
   const gauges = el('div', { class: 'gauges' }, ...rows.map(({ row }) => row));
   const element = group('singularity', 'Singularity', gauges);
@@ -36,12 +36,12 @@ export function singularity({ welcome: { singular, joints } }: Desk): Part {
       });
     },
     values({ frame, controllers: { names } }) {
-      rows.forEach(({ name, label, value, row }, i) => {
+      rows.forEach(({ name, title, label, value, row }, i) => {
         const distance = Math.abs(frame.singularity[i] ?? 0);
         const near = distance < singular;
-        const out = frame.ways_out.find(({ cause }) => cause === name.toLowerCase());
+        const out = frame.ways_out.find(({ cause }) => cause === name);
         const words =
-          near && out ? `${name}: ${wayOutText(out, spoken(joints[out.axis]?.name ?? ''), names)}` : name;
+          near && out ? `${title}: ${wayOutText(out, spoken(joints[out.axis]?.name ?? ''), names)}` : title;
         setText(label, words);
         setAttribute(label, 'title', words);
         setText(value, fixed(distance, 2, false));
