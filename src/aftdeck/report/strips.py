@@ -10,6 +10,7 @@ from typing import Literal, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from aftdeck.kinematics.singular import NAMES
 from aftdeck.report.curves import Curve, Strip
 from aftdeck.report.metrics.path import worst_rate
 from aftdeck.report.quantity import Quantity
@@ -76,7 +77,7 @@ def sources(scenario: Scenario) -> tuple[Source, ...]:
         ),
         Source("Remaining distance", "distance", (("actual", lambda f, _: f.goal.distance if f.goal else None),)),
         Source("RATLMT ratio", "ratio", (("actual", lambda f, _: f.ratio),)),
-        *(_singularity(i, name) for i, name in enumerate(("shoulder", "elbow", "wrist"))),
+        *(_singularity(i, name) for i, name in enumerate(NAMES)),
         *(_angle(i, label) for i, label in enumerate(scenario.arm.model.labels)),
         Source("THC", "share", (("commanded", lambda f, _: _deflection(f.translation)),)),
         Source("RHC", "share", (("commanded", lambda f, _: _deflection(f.rotation)),)),

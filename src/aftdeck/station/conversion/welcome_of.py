@@ -5,6 +5,7 @@ from __future__ import annotations
 from aftdeck.arms.geometry import PRONG
 from aftdeck.arrays import Array
 from aftdeck.details.details_of import details_of
+from aftdeck.kinematics.singular import NAMES
 from aftdeck.scenario.all_cameras import cameras_of
 from aftdeck.scenario.light import conditions
 from aftdeck.scenario.model import Scenario
@@ -82,6 +83,7 @@ def welcome_of(scenario: Scenario, *, demo: bool) -> Welcome:
         cameras=cameras_of(scenario),
         payloads=payload_table(scenario),
         sequences=stored_sequences(scenario),
+        singularities=NAMES,
         singular=model.singular,
         steps=tuple(_step(step) for step in scenario.steps),
         next=scenario.next,

@@ -10,8 +10,9 @@ import type { Desk, Part } from '../parts/part';
 
 const LENGTH = 200;
 
-export function singularity({ welcome: { singular, joints } }: Desk): Part {
-  const rows = ['Shoulder', 'Elbow', 'Wrist'].map((name) => {
+export function singularity({ welcome: { singularities, singular, joints } }: Desk): Part {
+  const rows = singularities.map((cause) => {
+    const name = cause.charAt(0).toUpperCase() + cause.slice(1);
     const pointer = svg('rect', { class: 'pointer', y: '3', x: '-3', width: '6', height: '12' });
     const label = el('span', { class: 'label' }, name);
     const value = el('span', { class: 'value' });
@@ -22,7 +23,7 @@ export function singularity({ welcome: { singular, joints } }: Desk): Part {
       svg('rect', { class: 'reach', x: '0', y: '7', width: String(singular * LENGTH), height: '4' }),
       pointer,
     );
-    return { name, pointer, label, value, row: el('div', { class: 'distance' }, label, bar, value) };
+    return { cause, name, pointer, label, value, row: el('div', { class: 'distance' }, label, bar, value) };
   });
   const gauges = el('div', { class: 'gauges' }, ...rows.map(({ row }) => row));
   const element = group('singularity', 'Singularity', gauges);
@@ -36,10 +37,10 @@ export function singularity({ welcome: { singular, joints } }: Desk): Part {
       });
     },
     values({ frame, controllers: { names } }) {
-      rows.forEach(({ name, label, value, row }, i) => {
+      rows.forEach(({ cause, name, label, value, row }, i) => {
         const distance = Math.abs(frame.singularity[i] ?? 0);
         const near = distance < singular;
-        const out = frame.ways_out.find(({ cause }) => cause === name.toLowerCase());
+        const out = frame.ways_out.find((way) => way.cause === cause);
         const words =
           near && out ? `${name}: ${wayOutText(out, spoken(joints[out.axis]?.name ?? ''), names)}` : name;
         setText(label, words);
