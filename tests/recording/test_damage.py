@@ -213,12 +213,14 @@ def test_other_layout_is_rejected_with_its_version(
         Recording(tmp_path / "other.mcap")
 
 
-@pytest.mark.parametrize("field", ["angles", "rates", "angles_commanded", "rates_commanded", "rate_limits", "master"])
+@pytest.mark.parametrize(
+    "field", ["angles", "rates", "angles_commanded", "rates_commanded", "rate_limits", "zones", "master"]
+)
 @pytest.mark.parametrize("number", [0, 5, 7])
 def test_frame_with_another_number_of_joints_is_damage(whole: Path, tmp_path: Path, field: str, number: int) -> None:
     first = plain(next(m for m in messages(whole) if isinstance(m, FrameRecord)))
     of = first["work"] if field == "master" else first
-    of[field] = [0.0] * number
+    of[field] = [0] * number
     rewritten(whole, tmp_path / "odd.mcap", {"/frames": msgspec.json.encode(first)})
     with pytest.raises(RecordingError, match="each of 6 joints") as caught:
         list(Recording(tmp_path / "odd.mcap").messages())

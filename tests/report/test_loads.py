@@ -23,6 +23,7 @@ from aftdeck.study.case import Runner
 from aftdeck.study.design import cases
 from aftdeck.study.file import load_study
 from aftdeck.study.plan import plan_of
+from tests.joints import with_joints
 from tests.plant.multibody.flights import scenario
 from tests.study.studies import FOUR, written
 
@@ -83,14 +84,6 @@ def test_a_run_has_the_metrics_of_its_arms_joints_only(joints: int) -> None:
     assert [found[metric].number for metric in TORQUES[:joints]] == most and max(most) > 0.0
     assert [found[metric].number for metric in AT_LIMIT[:joints]] == [0.0] * joints
     assert not found.keys() & {*TORQUES[joints:], *AT_LIMIT[joints:]}
-
-
-def with_joints(arm: Arm, joints: int) -> Arm:
-    """Return an arm whose tables have this number of joints, for functions that read only its names and servos."""
-    servo = arm.model.servo
-    assert servo is not None
-    names = tuple(f"joint_{k}" for k in range(joints))
-    return Arm(replace(arm.model, joints=names, servo=type(servo)(*(np.resize(values, joints) for values in servo))))
 
 
 def test_study_that_names_a_moment_has_its_value(tmp_path: Path) -> None:

@@ -20,6 +20,10 @@ if TYPE_CHECKING:
     from aftdeck.kinematics.arm import Arm
 
 
+POSE = 6
+"""Numbers of a pose: three coordinates and three angles."""
+
+
 class Question(StrEnum):
     """Questions that `aftdeck arm` answers."""
 
@@ -60,16 +64,13 @@ def arm(
         list[str] | None,
         typer.Argument(
             metavar="[NUMBERS]",
-            help="forward: six joint angles. inverse: X Y Z and ROLL PITCH YAW (in L and orbiter: metres and "
-            "ENDORI's roll, elevation, azimuth of frame 7; in panel: inches and the end effector's attitude).",
+            help="forward: the angle of each joint. inverse: X Y Z and ROLL PITCH YAW (in L and orbiter: metres and "
+            "ENDORI's roll, elevation, azimuth of frame 7; in panel: inches and the end effector's attitude). "
+            "frequencies: the angle of each joint; default: all zero.",
         ),
     ] = None,
     deg: Annotated[bool, typer.Option("--deg", help="Read and print angles in degrees; default: radians.")] = False,
     frame: Annotated[FrameChoice, typer.Option(help="Coordinate frame of the pose.")] = FrameChoice.L,
-    pose: Annotated[
-        tuple[float, float, float, float, float, float] | None,
-        typer.Option(metavar="Q1 Q2 Q3 Q4 Q5 Q6", help="frequencies: six joint angles; default: all zero."),
-    ] = None,
     payload_mass: Annotated[
         str | None, typer.Option(metavar="MASS", help="frequencies: mass of a payload at the tip, such as '65000 lb'.")
     ] = None,
@@ -100,7 +101,6 @@ def arm(
 
     if question is not Question.frequencies:
         only = {
-            "--pose": pose,
             "--payload-mass": payload_mass,
             "--payload-axis": payload_axis,
             "--payload": payload,
@@ -112,7 +112,9 @@ def arm(
     if frame is not FrameChoice.L and question not in (Question.forward, Question.inverse):
         raise InputError(f"{question.value}: --frame can only be given with forward or inverse")
     loaded = load_arm(name)
-    values = _numbers(numbers or [], 6 if question in (Question.forward, Question.inverse) else 0, question.value)
+    given, joints = numbers or [], len(loaded.joints)
+    needed = {Question.forward: joints, Question.inverse: POSE, Question.frequencies: joints if given else 0}
+    values = _numbers(given, needed.get(question, 0), question.value)
     match question:
         case Question.forward:
             _forward(loaded, values, deg, frame.value, as_json)
@@ -125,7 +127,7 @@ def arm(
         case Question.frequencies:
             from aftdeck.cli.arm_frequencies import print_frequencies
 
-            angles = [math.radians(q) if deg else q for q in pose or [0.0] * 6]
+            angles = [math.radians(q) if deg else q for q in values or [0.0] * joints]
             print_frequencies(loaded, angles, payload_mass, payload_axis, payload, free, orbiter_mass, as_json)
 
 

@@ -48,11 +48,9 @@ def print_frequencies(
 
     Raises:
         ArmError: the arm has no table `flexibility`.
-        InputError: an angle is not finite, a mass is not plausible, an option lacks the option that it refers to, or
+        InputError: a mass is not plausible, an option lacks the option that it refers to, or
             the end effector of the scenario holds nothing.
     """
-    if not all(map(math.isfinite, angles)):
-        raise InputError(f"--pose: angles have to be finite, got {' '.join(map(str, angles))}")
     if payload_axis is not None and payload_mass is None:
         raise InputError("--payload-axis needs --payload-mass")
     if orbiter_mass is not None and not free:
@@ -88,7 +86,7 @@ def _cautions(
     for joint, angle, (low, high) in zip(arm.joints, angles, arm.limits.hard.tolist(), strict=True):
         if not low - ROUNDED <= angle <= high + ROUNDED:
             least, given, most = (f"{math.degrees(value):.4g}" for value in (low, angle, high))
-            yield f"--pose: {joint} at {given} deg is beyond its hard stops, {least} and {most} deg"
+            yield f"{joint} at {given} deg is beyond its hard stops, {least} and {most} deg"
     if payload is not None and payload.mass > HEAVIEST * (1.0 + ROUNDED):
         yield f"{option}: {payload.mass:.6g} kg is more than the Shuttle's heaviest payload, {HEAVIEST:.6g} kg"
     usual = load_worksite("orbiter").orbiter

@@ -20,7 +20,7 @@ import msgspec
 from aftdeck.errors import InputError, ScenarioError
 from aftdeck.files import read
 from aftdeck.historical.frame_words import encode_block
-from aftdeck.historical.input_channels import CHANNELS, OperatorInputs, decode_inputs, encode_inputs
+from aftdeck.historical.input_channels import CHANNELS, JOINTS, OperatorInputs, decode_inputs, encode_inputs
 from aftdeck.historical.rms_vs_input import inputs_from, reading_of
 from aftdeck.historical.rms_vs_output import Places, block_of, places_of
 from aftdeck.scenario.model import Scenario
@@ -106,13 +106,16 @@ def check_arm(scenario: Scenario) -> None:
     """Check that a scenario's arm is the report's arm.
 
     Raises:
-        InputError: the scenario's arm has no telescope or no prong, so it is not the report's arm.
+        InputError: the scenario's arm has another number of joints, no telescope or no prong, so it is not the report's
+            arm.
     """
-    equipment = scenario.arm.model.equipment
-    if equipment.telescope is None or equipment.prong is None:
+    arm = scenario.arm
+    equipment = arm.model.equipment
+    if len(arm.joints) != len(JOINTS) or equipment.telescope is None or equipment.prong is None:
         raise InputError(
-            f"{scenario.name}: the report's channels, words and priority routine are made for its arm, with telescope "
-            f"and prong; this scenario has the arm {scenario.arm.name}"
+            f"{scenario.name}: the report's channels, words and priority routine are made for its arm, with "
+            f"{len(JOINTS)} joints, telescope and prong; this scenario has the arm {arm.name}, with {len(arm.joints)} "
+            "joints"
         )
 
 

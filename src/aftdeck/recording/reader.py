@@ -274,9 +274,10 @@ class Recording:
         return RecordingError(f"{self.path}: is damaged after {self.time_s:.2f} s: {why}", "damaged")
 
 
-def _joint_values(frame: FrameRecord) -> Iterator[Joints]:
+def _joint_values(frame: FrameRecord) -> Iterator[Joints | tuple[int, ...]]:
     """Yield every list of a frame that has a value for each joint."""
     yield from (frame.angles, frame.rates, frame.angles_commanded, frame.rates_commanded, frame.rate_limits)
+    yield frame.zones
     further = (
         None if frame.check is None else frame.check.joints,
         frame.work.master,

@@ -29,7 +29,7 @@ _FOLDED = 1e-6
 def bisected_pairs(model: ArmModel, frames: Sequence[str], volumes: Sequence[float]) -> Indices:
     """Return the pairs (B, 2) of clusters that the two planes separate: a boom, and the boom or the hand after it.
 
-    A plane bisects the x axes of two frames; where the links lie along other axes, it separates nothing and is not used.
+    A plane bisects the x axes of two frames; for links along other axes, it separates nothing and is not used.
 
     Args:
         model: the arm.

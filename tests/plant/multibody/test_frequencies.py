@@ -206,7 +206,8 @@ def test_command_takes_the_payload_that_a_scenario_attaches_or_grasps(
         (("srms", "frequencies", "--payload-axis", "yaw"), "--payload-mass"),
         (("srms", "frequencies", "--payload", "srms-deploy"), "--payload"),
         (("srms", "frequencies", "--payload", "loaded", "--payload-mass", "1 kg"), "--payload-mass"),
-        (("srms", "frequencies", "--pose", "0", "0", "0", "0", "0", "inf"), "--pose"),
+        (("srms", "frequencies", "0", "0", "0", "0", "0", "inf"), "finite"),
+        (("srms", "frequencies", "0", "0", "0", "0", "0"), "6 numbers"),
         (("srms", "limits", "--free"), "--free"),
     ],
 )
@@ -219,13 +220,13 @@ def test_command_rejects_what_it_cannot_compute(arguments: tuple[str, ...], name
 @pytest.mark.parametrize(
     ("arguments", "named"),
     [
-        (("--pose", "900", "0", "0", "0", "0", "0", "--deg"), "shoulder_yaw"),
-        (("--pose", "0", "0", "0.1", "0", "0", "0"), "elbow_pitch"),
+        (("900", "0", "0", "0", "0", "0", "--deg"), "shoulder_yaw"),
+        (("0", "0", "0.1", "0", "0", "0"), "elbow_pitch"),
         (("--free", "--orbiter-mass", "1"), "--orbiter-mass"),
         (("--free", "--orbiter-mass", "1e6"), ""),
         (("--payload-mass", "70000 lb"), "--payload-mass"),
         (("--payload-mass", "65000 lb", "--free", "--orbiter-mass", "85000"), ""),
-        (("--pose", "180", "0", "0", "0", "0", "0", "--deg"), ""),
+        (("180", "0", "0", "0", "0", "0", "--deg"), ""),
     ],
 )
 def test_command_cautions_of_strange_arguments(arguments: tuple[str, ...], named: str, aftdeck: Run) -> None:

@@ -634,7 +634,7 @@ export interface Welcome {
   /** Payload table by PL ID, from 0. */
   readonly payloads: readonly PayloadInfo[];
   readonly sequences: readonly StoredSequence[];
-  /** Names of the singularities whose distances a frame has. */
+  /** Names of the arm's singularities, in the order of `Frame.singularity`. */
   readonly singularities: readonly string[];
   /** Normalised distance from a singularity; the page shows a caution below this value. */
   readonly singular: number;

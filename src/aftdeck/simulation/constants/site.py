@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 from functools import cached_property, lru_cache
 
@@ -326,7 +327,11 @@ def _ball(model: ArmModel) -> tuple[str, ...]:
     Parts in the wrist's inner frames only rotate about that point. The end effector is at a distance from the
     point, and the joint limits keep it in front of the boom. It therefore touches neither the boom nor these parts.
     """
-    *_, second, third = lengths(model.linkage.steps)
+    *_, second, third = (
+        math.inf,
+        math.inf,
+        *lengths(model.linkage.steps)[1:],
+    )  # three axes have two steps between them
     return model.linkage.frames[-3:] if second == third == 0.0 else ()
 
 

@@ -227,7 +227,7 @@ class Welcome(WireMessage, frozen=True, tag="welcome"):
     """Payload table by PL ID, from 0."""
     sequences: tuple[StoredSequence, ...]
     singularities: tuple[str, ...]
-    """Names of the singularities whose distances a frame has."""
+    """Names of the arm's singularities, in the order of `Frame.singularity`."""
     singular: float
     """Normalised distance from a singularity; the page shows a caution below this value."""
     steps: tuple[StepInfo, ...]
