@@ -9,10 +9,12 @@ import numpy as np
 import pytest
 
 from aftdeck.kinematics.arm import Arm
+from aftdeck.plant.readings import CUTS
 from aftdeck.recording.reader import Recording
 from aftdeck.recording.run import record
-from aftdeck.report.metrics.loads import AT_LIMIT, BENDS, MOMENTS, NEED_GAUGES, TORQUES, TURNS
+from aftdeck.report.catalogue import named
 from aftdeck.report.of_recording import metrics_of
+from aftdeck.report.recorded import NEED_GAUGES
 from aftdeck.report.run_metrics import RunMetrics
 from aftdeck.report.series import series_of
 from aftdeck.scenario.model import Scenario
@@ -24,6 +26,7 @@ from aftdeck.study.plan import plan_of
 from tests.plant.multibody.flights import scenario
 from tests.study.studies import FOUR, written
 
+AT_LIMIT = [named(f"torque_limit_time_joint_{k}_s") for k in range(1, 7)]
 PUSH = "[[phase]]\nname = 'push'\nmode = 'ORB UNL'\ntranslation = [1.0, 0.0, -1.0]\nduration = '3 s'\n"
 
 
@@ -41,16 +44,19 @@ def test_metrics_are_those_of_the_time_history(tmp_path: Path) -> None:
     table = series_of(Recording(tmp_path / "run.mcap"))
     found = metrics_of(Recording(tmp_path / "run.mcap"), gauged=True)
     joints = ("shoulder_yaw", "shoulder_pitch", "elbow_pitch", "wrist_pitch", "wrist_yaw", "wrist_roll")
-    for metric, joint in zip(TORQUES, joints, strict=True):
-        assert found[metric].number == pytest.approx(np.abs(table[f"torque_{joint}_n_m"]).max())
-    for metric in MOMENTS:
-        cut = metric.name.removeprefix("peak_moment_")
-        assert found[metric].number == max(table[f"{cut}_peak_moment_n_m"])
-    for part, metric in TURNS.items():
+    for k, joint in enumerate(joints, 1):
+        assert found[named(f"peak_torque_joint_{k}_n_m")].number == pytest.approx(
+            np.abs(table[f"torque_{joint}_n_m"]).max()
+        )
+    for cut in CUTS:
+        assert found[named(f"peak_moment_{cut}_n_m")].number == max(table[f"{cut}_peak_moment_n_m"])
+    for part in ("base", "upper_boom", "lower_boom"):
         turns = np.linalg.norm([table[f"bend_{part}_{axis}_rad"] for axis in "xyz"], axis=0)
-        assert found[metric].number == pytest.approx(turns.max()) and turns.max() > 0.0
-    assert BENDS.keys() == TURNS.keys() - {"base"}
-    assert not any(metric in metrics_of(Recording(tmp_path / "run.mcap")) for metric in MOMENTS)
+        assert found[named(f"peak_bend_{part}_rad")].number == pytest.approx(turns.max()) and turns.max() > 0.0
+    bends = {metric.column for metric in found if metric.column.startswith("peak_bend_") and metric.quantity == "gap"}
+    assert bends == {"peak_bend_upper_boom_m", "peak_bend_lower_boom_m"}
+    assert NEED_GAUGES.isdisjoint(metric.column for metric in metrics_of(Recording(tmp_path / "run.mcap")))
+    assert {metric.column for metric in found} >= NEED_GAUGES
 
 
 @pytest.mark.parametrize("share", [1.0, 0.02])
