@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
-from typing import cast
+from collections.abc import Iterator, Sequence
 
 from aftdeck.report.metric import Found, Metric
 from aftdeck.report.reduction import Reduction
@@ -30,13 +29,6 @@ _QUANTITIES: dict[Reducer, Quantity] = {"time": "time", "share": "share", "begun
 """Quantity that a reducer makes of any other."""
 
 
-def recorded_readings(readings: Iterable[Reading]) -> Iterator[tuple[Reading, Recorded]]:
-    """Yield the readings that have metrics, with each metric; that of a commanded value with this value."""
-    for reading in readings:
-        for how in reading.metrics:
-            yield reading.of_commands() if how.commanded else reading, how
-
-
 def metrics_of(reading: Reading, how: Recorded, joints: int = LISTED_JOINTS) -> tuple[Metric, ...]:
     """Return the definition of a metric, or one for each joint."""
     sentence = how.definition or _SENTENCES[how.by].format(reading.definition)
@@ -53,7 +45,8 @@ def metrics_of(reading: Reading, how: Recorded, joints: int = LISTED_JOINTS) -> 
 _ALL = [
     (subject, reading, metric)
     for subject, section in SECTIONS
-    for reading, how in recorded_readings(section)
+    for reading in section
+    for how in reading.metrics
     for metric in metrics_of(reading, how)
 ]
 _BY_COLUMN = {metric.column: metric for _, _, metric in _ALL}
@@ -76,20 +69,25 @@ class ReadingMetrics:
 
     def __init__(self, scenario: Scenario) -> None:
         self._kept = [
-            (reading, _reductions(reading, how, scenario)) for reading, how in recorded_readings(readings_of(scenario))
+            (reading, how.of or reading.of, _reductions(reading, how, scenario))
+            for reading in readings_of(scenario)
+            for how in reading.metrics
         ]
 
     def see(self, known: Known) -> None:
         """Add the next step."""
-        for reading, reductions in self._kept:
+        for reading, of, reductions in self._kept:
             if reading.needs == "gauges" and known.gauges is None:
                 continue
-            for reduction, value in zip(reductions, reading.values(known), strict=True):
-                reduction.see(cast("float | None", value), known)
+            if not reading.parts:
+                reductions[0].see(of(known), known)
+                continue
+            for reduction, value in zip(reductions, of(known), strict=True):
+                reduction.see(value, known)
 
     def found(self) -> Iterator[Found]:
         """Yield the metrics for which there were values."""
-        for _, reductions in self._kept:
+        for _, _, reductions in self._kept:
             yield from filter(None, [reduction.found() for reduction in reductions])
 
 

@@ -20,6 +20,8 @@ _NEXT: dict[Reducer, Callable[[float, float, float, float], float]] = {
     "begun": lambda total, value, before, period_s: total + (value > before),
 }
 """Function of each reducer: the new total from the old one, the value, the value before, and the control period [s]."""
+_SETTLED = ("greatest", "least", "last", "begun")
+"""Reducers whose total does not change if a value is repeated."""
 
 
 class Reduction:
@@ -37,15 +39,16 @@ class Reduction:
         self._next = _NEXT[how.by]
         self._total = math.inf if how.by == "least" else 0.0
         self._count = 0
-        self._before = 0.0
+        self._before: float | None = None
+        self._settled = how.by in _SETTLED and how.level is None
         self._at: Known | None = None  # step that decided the total
         self._level: Level = "info"
 
     def see(self, value: float | None, known: Known) -> None:
         """Add the value in the next step; None for no value."""
-        if value is None:
+        if value is None or (self._settled and value == self._before):
             return
-        total = self._next(self._total, value, self._before if self._count else value, self._period_s)
+        total = self._next(self._total, value, value if self._before is None else self._before, self._period_s)
         if total != self._total or self._at is None:
             self._total, self._at = total, known
         self._before = value

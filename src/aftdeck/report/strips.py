@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from array import array
 from collections.abc import Callable, Iterator, Sequence
-from typing import NamedTuple, cast
+from typing import NamedTuple
 
 import numpy as np
 from msgspec.structs import replace
@@ -18,7 +18,6 @@ from aftdeck.simulation.log import joint_label
 from aftdeck.simulation.readings.motion import worst_rate
 from aftdeck.simulation.readings.reading import Known, Reading, Role, Value
 from aftdeck.simulation.readings.table import readings_of
-from aftdeck.table import Cell
 
 BUCKETS = 1000
 """Number of equal parts of a run. A curve keeps the least and the greatest value of each part.
@@ -56,12 +55,12 @@ def _sources(reading: Reading, scenario: Scenario) -> Iterator[Source]:
 
 def _part(of: Value, k: int) -> Value:
     """Return the function that returns the value of a part."""
-    return lambda s: cast("Sequence[Cell]", of(s))[k]
+    return lambda s: of(s)[k]
 
 
 def curve_values(scenario: Scenario) -> Callable[[Frame, float | None], tuple[float | None, ...]]:
     """Return a function that returns the values of all curves, strip by strip, for a frame and its latency [ms]."""
-    curves = [cast("Callable[[Known], float | None]", of) for source in sources(scenario) for of in source.curves]
+    curves = [of for source in sources(scenario) for of in source.curves]
 
     def values(frame: Frame, latency_ms: float | None) -> tuple[float | None, ...]:
         known = Known(frame, scenario, latency_ms=latency_ms)

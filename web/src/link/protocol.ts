@@ -59,10 +59,6 @@ export const READOUTS = {
     "title": "Clearance",
     "about": "Minimum clearance of all monitored pairs"
   },
-  "joint_rate": {
-    "title": "Joint rate",
-    "about": "Joint rate, as a fraction of the joint's limit at that time"
-  },
   "torque_of_limit": {
     "title": "Joint torque",
     "about": "Torque of motor or brake, as a fraction of its greatest torque"

@@ -9,7 +9,7 @@ from operator import truediv
 from aftdeck.frames import quaternion_of_rows
 from aftdeck.kinematics.singular import NAMES
 from aftdeck.simulation.frame import Frame
-from aftdeck.simulation.readings.reading import XYZ, Along, Reading, Recorded, Strip, pose, shown
+from aftdeck.simulation.readings.reading import XYZ, Along, Known, Reading, Recorded, Strip, pose, shown
 
 
 def worst_rate(rates: Sequence[float], limits: Sequence[float]) -> tuple[float, int]:
@@ -19,6 +19,11 @@ def worst_rate(rates: Sequence[float], limits: Sequence[float]) -> tuple[float, 
     return worst, parts.index(worst) if worst > 0 else -1
 
 
+def _worst_commanded(s: Known) -> float:
+    return worst_rate(s.frame.rates_commanded, s.frame.rate_limits)[0]
+
+
+_WORST = "Greatest commanded joint rate, as a fraction of the joint's limit at that time."
 MOTION = (
     Reading(
         "por_speed",
@@ -32,12 +37,12 @@ MOTION = (
     ),
     Reading(
         "joint_rate",
-        "joint rate, as a fraction of the joint's limit at that time",
+        "greatest joint rate, as a fraction of the joint's limit at that time",
         lambda s: worst_rate(s.frame.rates, s.frame.rate_limits)[0],
         quantity="part of limit",
-        commanded=lambda s: worst_rate(s.frame.rates_commanded, s.frame.rate_limits)[0],
+        commanded=_worst_commanded,
         strip=Strip(limit=1.0, shown=True),
-        metrics=(Recorded("greatest", "worst_joint_rate", "Worst joint rate", commanded=True),),
+        metrics=(Recorded("greatest", "worst_joint_rate", "Worst joint rate", _WORST, of=_worst_commanded),),
     ),
     Reading(
         "turn_rate",

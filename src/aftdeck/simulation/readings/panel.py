@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 
 from aftdeck.simulation.frame import AT_HARD, PAST_REACH, PAST_SOFT, Frame, LimitKind
 from aftdeck.simulation.payloads.task_phases import TASKS
-from aftdeck.simulation.readings.reading import XYZ, Reading, Recorded, Strip, Value, shown
+from aftdeck.simulation.readings.reading import XYZ, Known, Reading, Recorded, Strip, Value, shown
 from aftdeck.simulation.readings.source import FORMAN, OWN, REPORT
 
 MODE_NUMBERS: Mapping[object, int] = {
@@ -28,41 +28,46 @@ MODE_NUMBERS: Mapping[object, int] = {
 _JOINTS = ", with one joint or several"
 
 
-def _acts(frame: Frame, kind: LimitKind) -> bool:
-    return bool(frame.limits) and any(limit.kind == kind for limit in frame.limits)
+def _acts(s: Known, kind: LimitKind) -> bool:
+    return bool(s.frame.limits) and any(limit.kind == kind for limit in s.frame.limits)
 
 
-def _at_soft_stop(frame: Frame) -> bool:
-    return max(frame.zones) >= PAST_SOFT or _acts(frame, "soft stop")
+def _at_soft_stop(s: Known) -> bool:
+    return max(s.frame.zones) >= PAST_SOFT or _acts(s, "soft stop")
 
 
 def _in_task(task: int) -> Value:
     return lambda s: s.frame.work.task == task if s.frame.work.cargo else None
 
 
+def _state(name: str, definition: str, holds: Value, metric: Recorded, source: str = OWN) -> Reading:
+    """Return the reading of a state that holds or not, and its metric."""
+    return Reading(name, definition, holds, source=source, metrics=(metric,))
+
+
 TIMES = (
     shown(Frame, "time_s", "time", group="time"),
     shown(Frame, "phase", "phase", quantity="words", group="phase"),
     shown(Frame, "mode", "mode", quantity="words", group="phase"),
-    Reading(
+    _state(
         "by_hand",
         "with manual inputs",
         lambda s: s.frame.by == "hand",
-        metrics=(Recorded("share", "manual_share", "Manual share"),),
+        Recorded("share", "manual_share", "Manual share"),
     ),
-    Reading(
+    _state(
         "vernier",
         "with the rate setting vernier",
         lambda s: s.frame.rate == "vernier",
-        metrics=(Recorded("time", "vernier_time", "Time in vernier"),),
+        Recorded("time", "vernier_time", "Time in vernier"),
     ),
     *(
-        Reading(
+        _state(
             name,
             f"in task phase {task}: {name}",
             _in_task(task),
-            metrics=(Recorded("time", f"{name}_time", f"Time of {name}"),),
-            source=REPORT,
+            Recorded("time", f"{name}_time", f"Time of {name}"),
+            REPORT,
         )
         for task, name in TASKS.items()
     ),
@@ -89,20 +94,24 @@ STICKS = (
 """Readings of the hand controllers."""
 
 
-def _limit(title: str, began: str, holds: Callable[[Frame], bool], source: str = OWN) -> Reading:
+def _limit(title: str, began: str, holds: Value, source: str = OWN) -> Reading:
     """Return the reading of a limit that the arm reaches, and the metric of how often it did."""
     name = title.lower().replace(" ", "_")
-    metrics = (Recorded("begun", f"{name}_events", title),)
-    return Reading(name, began, lambda s: holds(s.frame), source=source, metrics=metrics)
+    return _state(name, began, holds, Recorded("begun", f"{name}_events", title), source)
 
 
 LIMITS = (
-    _limit("Rate limit", "the limit of a joint's rate began to slow the arm", lambda f: _acts(f, "joint rate")),
-    _limit("Reach limit", f"the arm came beyond a reach limit{_JOINTS}", lambda f: max(f.zones) >= PAST_REACH, FORMAN),
-    _limit("Soft stop", f"the arm came to or beyond a soft stop{_JOINTS}", _at_soft_stop, FORMAN),
-    _limit("Hard stop", f"the arm came to a hard stop{_JOINTS}", lambda f: AT_HARD in f.zones, FORMAN),
+    _limit("Rate limit", "the limit of a joint's rate began to slow the arm", lambda s: _acts(s, "joint rate")),
     _limit(
-        "Singularity", "the arm came nearer to a singularity than its threshold", lambda f: bool(f.singular), FORMAN
+        "Reach limit", f"the arm came beyond a reach limit{_JOINTS}", lambda s: max(s.frame.zones) >= PAST_REACH, FORMAN
+    ),
+    _limit("Soft stop", f"the arm came to or beyond a soft stop{_JOINTS}", _at_soft_stop, FORMAN),
+    _limit("Hard stop", f"the arm came to a hard stop{_JOINTS}", lambda s: AT_HARD in s.frame.zones, FORMAN),
+    _limit(
+        "Singularity",
+        "the arm came nearer to a singularity than its threshold",
+        lambda s: bool(s.frame.singular),
+        FORMAN,
     ),
     Reading(
         "mode_number",

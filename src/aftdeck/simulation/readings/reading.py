@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from functools import cache
 from operator import attrgetter
-from typing import Annotated, Any, Literal, NamedTuple, cast, get_type_hints
+from typing import Annotated, Any, Literal, NamedTuple, get_type_hints
 
 from aftdeck.arrays import Array
 from aftdeck.field_meta import field_meta
@@ -56,8 +56,8 @@ class Known(NamedTuple):
     along: Along | None = None
 
 
-Value = Callable[[Known], Cell | Sequence[Cell] | Array]
-"""Function that returns a reading's number or text, or one for each part; None for no value."""
+Value = Callable[[Known], Any]
+"""Function that returns a reading's number or text, or a sequence of one for each part; None for no value."""
 Needs = Literal["", "masses", "gauges"]
 """What a run must have: nothing; masses; or masses and gauges, which are neither in a frame nor in a recording."""
 Role = Literal["actual", "commanded"]
@@ -98,7 +98,7 @@ class Recorded(NamedTuple):
         definition: what is measured, in a sentence; ``{k}`` stands for a joint's number; empty for what the reducer
             makes of the reading's definition.
         quantity: kind of the number; None for that of the reducer, or else of the reading.
-        commanded: whether it is that of the commanded value.
+        of: returns the value in place of the reading's.
         detail: returns where or when it occurred, from the step that decided it and the name of the joint, which is
             empty for a reading without joints; None for nothing.
         level: returns the alarm level in a step, of which the worst counts; None if there is none.
@@ -109,7 +109,7 @@ class Recorded(NamedTuple):
     title: str
     definition: str = ""
     quantity: Quantity | None = None
-    commanded: bool = False
+    of: Value | None = None
     detail: Callable[[Known, str], str] | None = None
     level: Callable[[Known], Level] | None = None
 
@@ -159,11 +159,6 @@ class Reading(NamedTuple):
         """Definition as a sentence."""
         return f"{self.definition[0].upper()}{self.definition[1:]}."
 
-    def of_commands(self) -> Reading:
-        """Return the reading of the commanded value, which it has."""
-        assert self.commanded is not None, f"{self.name} has a commanded value"
-        return self._replace(of=self.commanded, definition=f"commanded {self.definition}")
-
     def names(self, beginning: str, scenario: Scenario) -> tuple[str, ...]:
         """Return the names of its numbers, which begin so."""
         parts = scenario.arm.joints if self.parts == "joints" else self.parts
@@ -172,7 +167,7 @@ class Reading(NamedTuple):
     def values(self, known: Known) -> Sequence[Cell]:
         """Return its values, one for each part."""
         value = self.of(known)
-        return cast("Sequence[Cell]", value) if self.parts else (cast("Cell", value),)
+        return value if self.parts else (value,)
 
 
 _QUANTITIES: dict[str, Quantity] = {unit: quantity for quantity, unit in reversed(UNITS.items())} | {"1": "ratio"}

@@ -14,21 +14,16 @@ from aftdeck.worksite.report import Cargo, Hand, Work
 _SWITCH = {"stop": 0.0, "close": 1.0, "open": -1.0}
 
 
-def _clearance(s: Known) -> float | None:
-    near = s.frame.work.nearest
-    return None if near is None else near.clearance
-
-
 def _pair(s: Known) -> str:
     near = s.frame.work.nearest
     return "" if near is None else f"{near.a} to {near.b}"
 
 
 def _clearance_share(s: Known) -> float:
-    clearance = _clearance(s)
-    if clearance is None:
+    near = s.frame.work.nearest
+    if near is None:
         return 1.0
-    distance = max(clearance, 0.0)
+    distance = max(near.clearance, 0.0)
     return distance / (distance + FOOT)
 
 
@@ -41,7 +36,7 @@ CLEARANCE = (
     Reading(
         "clearance",
         "minimum clearance of all monitored pairs",
-        _clearance,
+        lambda s: s.frame.work.nearest and s.frame.work.nearest.clearance,
         quantity="gap",
         strip=Strip(alarms=lambda scenario: (scenario.caution, scenario.warning), shown=True),
         metrics=(

@@ -32,7 +32,7 @@ HEADER = """\
 
 MODULES = (kinds, from_page, welcome, frame, to_page, curves, measure, playback)
 """Modules whose structs the page uses."""
-READOUTS = ("clearance", "joint_rate", "torque_of_limit")
+READOUTS = ("clearance", "torque_of_limit")
 """Readings whose titles and definitions the panel shows."""
 NAMED = (shapes, lamps, quantity, *MODULES, sim, work)
 """Modules whose aliases become types in TypeScript."""

@@ -63,7 +63,7 @@ export function joints(desk: Desk, bending: () => void): JointsGroup {
             ...(loaded ? [] : [el('i', { class: 'hard' }), 'hard']), // no room beside the torques
           ),
           el('th', { scope: 'col' }, 'deg'),
-          el('th', { scope: 'col', title: READOUTS.joint_rate.about }, 'of limit'),
+          el('th', { scope: 'col' }, 'of limit'),
           ...(loaded ? [el('th', { scope: 'col', title: READOUTS.torque_of_limit.about }, 'torque')] : []),
         ),
       ),
