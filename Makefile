@@ -58,7 +58,6 @@ check: .venv/.aftdeck .venv/.dev $(MODULES)  ## check format, lint, types and ge
 	$(PY) -m aftdeck.simulation.series.document --check docs/series.md
 	$(PY) -m aftdeck.gym.document --check docs/environments.md
 	$(PY) -m aftdeck.export.document --check docs/export.md
-	$(PY) -m aftdeck.simulation.observe.field_values --check
 
 format: .venv/.dev $(MODULES)  ## format Python and TypeScript
 	.venv/bin/ruff format .
@@ -67,8 +66,7 @@ format: .venv/.dev $(MODULES)  ## format Python and TypeScript
 
 # Does not build the page first: the page may need the files that this command writes.
 generate: export PYTHONPATH := src
-generate: .venv/.dev  ## generate the call of Frame, web/src/link/protocol.ts and tables in docs from the types
-	$(PY) -m aftdeck.simulation.observe.field_values
+generate: .venv/.dev  ## generate web/src/link/protocol.ts and tables in docs from the types
 	$(PY) -m aftdeck.station.messages.typescript > .venv/protocol.ts
 	mv .venv/protocol.ts web/src/link/protocol.ts
 	$(PY) -m aftdeck.recording.document docs/recording.md

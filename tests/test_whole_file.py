@@ -25,7 +25,6 @@ OTHERWISE = {
     "study/store.py": "appends a line for each case; an incomplete one is cut off",
     "export/about.py": "into a folder that appears when it is complete",
     "made_tables.py": "a document of this repository",
-    "simulation/observe/field_values.py": "a source of this repository",
 }
 """Modules that may open a file for writing, and why."""
 WRITERS = [

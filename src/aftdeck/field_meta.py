@@ -18,7 +18,7 @@ DECIMALS = 9
 """Default number of decimals of a recorded number. With 9 decimals, lengths are recorded to 1 nm, angles to 1 nrad."""
 
 
-def field_meta(what: str, unit: str = "", frame: str = "", decimals: int = DECIMALS, value: str = "") -> msgspec.Meta:
+def field_meta(what: str, unit: str = "", frame: str = "", decimals: int = DECIMALS) -> msgspec.Meta:
     """Return a field's metadata.
 
     Args:
@@ -26,10 +26,8 @@ def field_meta(what: str, unit: str = "", frame: str = "", decimals: int = DECIM
         unit: unit of the values.
         frame: coordinate frame of the components.
         decimals: number of decimals of a recorded value.
-        value: for a field of `Frame`, the expression of the field's value in the code of `simulation.observe.look`;
-            "" if a local variable in that code has the field's name and value.
     """
-    extra = {"unit": unit, "frame": frame, "decimals": decimals, "value": value}
+    extra = {"unit": unit, "frame": frame, "decimals": decimals}
     return msgspec.Meta(description=what, extra=extra)
 
 

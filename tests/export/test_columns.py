@@ -10,11 +10,12 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from aftdeck.errors import InputError
-from aftdeck.export.columns import MODE_NUMBERS, SCRIPT, Encoding
+from aftdeck.export.columns import SCRIPT, Encoding
 from aftdeck.scenario.disturbance import Disturbance
 from aftdeck.scenario.target import Target
 from aftdeck.simulation.camera_drives import CameraDrive
 from aftdeck.simulation.inputs import POSITIONS, Inputs
+from aftdeck.simulation.readings.panel import MODE_NUMBERS
 from aftdeck.steering.mode import MODES
 from aftdeck.tuples import MOST_JOINTS
 

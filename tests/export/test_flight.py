@@ -18,7 +18,7 @@ from aftdeck.export.pictures import Painter, names_of, usual_cameras
 from aftdeck.export.plan import plan
 from aftdeck.export.replay import fly, fly_episode, replays
 from aftdeck.export.samples import samples
-from aftdeck.export.state import GROUPS, StateReader
+from aftdeck.export.state import StateReader, in_state
 from aftdeck.export.written import about_of, episode_of, new_folder, numbers_of
 from aftdeck.recording.codec import encode
 from aftdeck.recording.reader import Recording
@@ -139,7 +139,7 @@ def test_state_has_a_name_for_each_number(run: Path) -> None:
     flight = read_flight(run)
     names = StateReader(flight.scenario).names
     assert len(set(names)) == len(names) == next(samples(flight, 5, None)).seen.state.size
-    assert {name for group in GROUPS for name in names if name.startswith(group.name)} == set(names)
+    assert {name for reading in in_state() for name in names if name.startswith(reading.state)} == set(names)
 
 
 def test_completed_script_is_a_success_once(tmp_path: Path) -> None:

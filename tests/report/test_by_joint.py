@@ -8,15 +8,16 @@ from aftdeck.export.state import StateReader
 from aftdeck.gym.mission.observation import Observer
 from aftdeck.recording.codec import as_read, decode, encode
 from aftdeck.recording.records import FrameRecord
+from aftdeck.report.catalogue import named
 from aftdeck.report.lamps import lit_lamps
-from aftdeck.report.metrics.path import RATE
 from aftdeck.report.run_metrics import RunMetrics
-from aftdeck.report.strips import readings, sources
+from aftdeck.report.strips import curve_values, sources
 from aftdeck.scenario.model import Scenario
 from aftdeck.simulation.frame import Frame
 from aftdeck.simulation.inputs import Inputs
+from aftdeck.simulation.readings.reading import Known
 from aftdeck.simulation.run import Simulation
-from aftdeck.simulation.series.groups import groups_of
+from aftdeck.simulation.series.groups import columns_of, in_series
 from tests.joints import NUMBERS, frame_with_joints, scenario_with_joints
 from tests.plant.multibody.flights import scenario
 
@@ -42,8 +43,8 @@ def test_lamps_name_the_joint_that_is_past_its_limit(flown: tuple[Scenario, Fram
 @EACH
 def test_each_joint_has_a_strip_of_its_angle(flown: tuple[Scenario, Frame], joints: int) -> None:
     made, frame = scenario_with_joints(flown[0], joints), frame_with_joints(flown[1], joints)
-    names = [source.name for source in sources(made) for _ in source.curves]
-    values = readings(made)(frame, None)
+    names = [source.blank.name for source in sources(made) for _ in source.curves]
+    values = curve_values(made)(frame, None)
     for k, label in enumerate(made.arm.model.labels):
         assert [value for name, value in zip(names, values, strict=True) if name == label] == [frame.angles[k]] * 2
     assert [name for name in names if name.startswith("Joint ")].count("Joint torque") == 1
@@ -53,8 +54,9 @@ def test_each_joint_has_a_strip_of_its_angle(flown: tuple[Scenario, Frame], join
 @EACH
 def test_time_history_has_a_column_for_each_joint(flown: tuple[Scenario, Frame], joints: int) -> None:
     made, frame = scenario_with_joints(flown[0], joints), frame_with_joints(flown[1], joints)
-    found = {group.name: (columns, group.values(frame, None)) for group, columns in groups_of(made) if not group.gauged}
-    for name in ("angles", "rates", "commanded", "torques"):
+    known = Known(frame, made)
+    found = {one.name: (columns_of(one, made), one.values(known)) for one in in_series(made) if one.needs != "gauges"}
+    for name in ("angle", "rate", "rate_commanded", "torque"):
         columns, values = found[name]
         assert len(columns) == len(values) == joints
         assert all(f"joint_{k}" in column.name for k, column in enumerate(columns))
@@ -66,7 +68,7 @@ def test_metrics_of_a_run_take_the_worst_of_all_joints(flown: tuple[Scenario, Fr
     metrics = RunMetrics(made)
     metrics.see(frame, ())
     metrics.see(frame, ())
-    assert metrics.found()[RATE].number == pytest.approx(1.0)
+    assert metrics.found()[named("worst_joint_rate")].number == pytest.approx(1.0)
 
 
 @EACH

@@ -10,14 +10,17 @@ import pytest
 from msgspec.structs import replace as replace_fields
 
 from aftdeck.kinematics.arm import Arm
+from aftdeck.plant.readings import CUTS
 from aftdeck.recording.reader import Recording
 from aftdeck.recording.run import record
-from aftdeck.report.metrics.loads import AT_LIMIT, BENDS, MOMENTS, NEED_GAUGES, TORQUES, TURNS, Loads
+from aftdeck.report.catalogue import named
 from aftdeck.report.of_recording import metrics_of
+from aftdeck.report.recorded import NEED_GAUGES, ReadingMetrics
 from aftdeck.report.run_metrics import RunMetrics
 from aftdeck.report.series import series_of
 from aftdeck.scenario.model import Scenario
 from aftdeck.simulation.frame import Frame
+from aftdeck.simulation.readings.reading import Known
 from aftdeck.simulation.run import run
 from aftdeck.study.case import Runner
 from aftdeck.study.design import cases
@@ -27,6 +30,7 @@ from tests.joints import with_joints
 from tests.plant.multibody.flights import scenario
 from tests.study.studies import FOUR, written
 
+AT_LIMIT = [named(f"torque_limit_time_joint_{k}_s") for k in range(1, 7)]
 PUSH = "[[phase]]\nname = 'push'\nmode = 'ORB UNL'\ntranslation = [1.0, 0.0, -1.0]\nduration = '3 s'\n"
 
 
@@ -44,16 +48,19 @@ def test_metrics_are_those_of_the_time_history(tmp_path: Path) -> None:
     table = series_of(Recording(tmp_path / "run.mcap"))
     found = metrics_of(Recording(tmp_path / "run.mcap"), gauged=True)
     joints = ("shoulder_yaw", "shoulder_pitch", "elbow_pitch", "wrist_pitch", "wrist_yaw", "wrist_roll")
-    for metric, joint in zip(TORQUES, joints, strict=False):
-        assert found[metric].number == pytest.approx(np.abs(table[f"torque_{joint}_n_m"]).max())
-    for metric in MOMENTS:
-        cut = metric.name.removeprefix("peak_moment_")
-        assert found[metric].number == max(table[f"{cut}_peak_moment_n_m"])
-    for part, metric in TURNS.items():
+    for k, joint in enumerate(joints, 1):
+        assert found[named(f"peak_torque_joint_{k}_n_m")].number == pytest.approx(
+            np.abs(table[f"torque_{joint}_n_m"]).max()
+        )
+    for cut in CUTS:
+        assert found[named(f"peak_moment_{cut}_n_m")].number == max(table[f"{cut}_peak_moment_n_m"])
+    for part in ("base", "upper_boom", "lower_boom"):
         turns = np.linalg.norm([table[f"bend_{part}_{axis}_rad"] for axis in "xyz"], axis=0)
-        assert found[metric].number == pytest.approx(turns.max()) and turns.max() > 0.0
-    assert BENDS.keys() == TURNS.keys() - {"base"}
-    assert not any(metric in metrics_of(Recording(tmp_path / "run.mcap")) for metric in MOMENTS)
+        assert found[named(f"peak_bend_{part}_rad")].number == pytest.approx(turns.max()) and turns.max() > 0.0
+    bends = {metric.column for metric in found if metric.column.startswith("peak_bend_") and metric.quantity == "gap"}
+    assert bends == {"peak_bend_upper_boom_m", "peak_bend_lower_boom_m"}
+    assert NEED_GAUGES.isdisjoint(metric.column for metric in metrics_of(Recording(tmp_path / "run.mcap")))
+    assert {metric.column for metric in found} >= NEED_GAUGES
 
 
 @pytest.mark.parametrize("share", [1.0, 0.02])
@@ -66,24 +73,7 @@ def test_time_at_the_torque_limit_is_that_of_a_motor_too_weak(share: float) -> N
     for k, name in enumerate(list(torques)[1:]):
         at_limit = np.abs(torques[name]) >= given.arm.model.servo.torque_limit[k] * (1.0 - 1e-9)
         assert found[AT_LIMIT[k]].number == pytest.approx(at_limit.sum() * given.control_period)
-    assert (sum(found[metric].number or 0.0 for metric in AT_LIMIT[:6]) > 0.0) == (share < 1.0)
-
-
-@pytest.mark.parametrize("joints", [1, 5, 7, 8])
-def test_a_run_has_the_metrics_of_its_arms_joints_only(joints: int) -> None:
-    given = scenario("rigid", PUSH)
-    arm, frames = with_joints(given.arm, joints), list[Frame]()
-    run(given, seen=frames.append)
-    metrics, most = Loads(replace(given, arm=arm)), [0.0] * joints
-    for frame in frames[:20]:
-        assert frame.dynamics is not None
-        torques = tuple(1e-3 * (k + 1) * abs(frame.dynamics.torques[0]) for k in range(joints))  # below all limits
-        most = list(map(max, most, torques))
-        metrics.see(replace_fields(frame, dynamics=replace_fields(frame.dynamics, torques=torques)), None)
-    found = dict(metrics.found())
-    assert [found[metric].number for metric in TORQUES[:joints]] == most and max(most) > 0.0
-    assert [found[metric].number for metric in AT_LIMIT[:joints]] == [0.0] * joints
-    assert not found.keys() & {*TORQUES[joints:], *AT_LIMIT[joints:]}
+    assert (sum(found[metric].number or 0.0 for metric in AT_LIMIT) > 0.0) == (share < 1.0)
 
 
 def test_study_that_names_a_moment_has_its_value(tmp_path: Path) -> None:
@@ -105,3 +95,20 @@ def test_study_has_gauges_only_if_it_names_a_metric_that_needs_them(tmp_path: Pa
     text = "title = 'a study'\nscenario = 'loaded'\n[success.at_most]\npeak_moment_upper_boom_n_m = 500.0\n"
     file.write_text(text, encoding="utf-8")
     assert load_study(file).gauged
+
+
+@pytest.mark.parametrize("joints", [1, 5, 7, 8])
+def test_a_run_has_the_metrics_of_its_arms_joints_only(joints: int) -> None:
+    given = scenario("rigid", PUSH)
+    made, frames = replace(given, arm=with_joints(given.arm, joints)), list[Frame]()
+    run(given, seen=frames.append)
+    metrics, most = ReadingMetrics(made), [0.0] * joints
+    for frame in frames[:20]:
+        assert frame.dynamics is not None
+        torques = tuple(1e-3 * (k + 1) * abs(frame.dynamics.torques[0]) for k in range(joints))  # below all limits
+        most = list(map(max, most, torques))
+        metrics.see(Known(replace_fields(frame, dynamics=replace_fields(frame.dynamics, torques=torques)), made))
+    found = {metric.column: value.number for metric, value in metrics.found()}
+    assert [found[f"peak_torque_joint_{k}_n_m"] for k in range(1, joints + 1)] == most and max(most) > 0.0
+    assert [found[f"torque_limit_time_joint_{k}_s"] for k in range(1, joints + 1)] == [0.0] * joints
+    assert not any(f"joint_{k}" in column for column in found for k in range(joints + 1, 9))

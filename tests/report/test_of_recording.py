@@ -10,8 +10,9 @@ from aftdeck.errors import RecordingError
 from aftdeck.recording.reader import Recording
 from aftdeck.recording.run import record
 from aftdeck.recording.writer import Recorder
+from aftdeck.report.catalogue import named
 from aftdeck.report.lamps import lit_lamps
-from aftdeck.report.metrics import clearance, moments, path, times
+from aftdeck.report.metrics import moments, times
 from aftdeck.report.of_recording import metrics_of
 from aftdeck.report.run_metrics import RunMetrics
 from aftdeck.simulation.run import Simulation
@@ -37,8 +38,8 @@ def test_recorded_and_flown_metrics_agree_with_each_other_and_with_the_summary(t
         if value.number is not None:
             assert recorded[metric].number == pytest.approx(value.number, rel=ROUNDED, abs=ROUNDED), metric.column
         assert (recorded[metric].text, recorded[metric].level) == (value.text, value.level), metric.column
-    assert recorded[clearance.LEAST].number == pytest.approx(summary.min_clearance_m, abs=ROUNDED)
-    assert recorded[path.RATE].number == pytest.approx(summary.worst_rate_ratio, abs=ROUNDED)
+    assert recorded[named("min_clearance_m")].number == pytest.approx(summary.min_clearance_m, abs=ROUNDED)
+    assert recorded[named("worst_joint_rate")].number == pytest.approx(summary.worst_rate_ratio, abs=ROUNDED)
     assert recorded[times.RUN].number == pytest.approx(summary.time_s)
     kinds = [event.kind for event in summary.events]
     assert recorded[moments.DOCK.number].number == kinds.count("docked")

@@ -19,9 +19,8 @@ from aftdeck.operators.spec import OperatorSpec
 from aftdeck.recording.reader import Recording
 from aftdeck.recording.run import record
 from aftdeck.recording.trial import Trial
-from aftdeck.report.catalogue import METRICS
+from aftdeck.report.catalogue import METRICS, named
 from aftdeck.report.intervals import mean_interval, wilson
-from aftdeck.report.metrics.clearance import LEAST
 from aftdeck.report.metrics.path import PATH
 from aftdeck.report.of_recording import metrics_of
 from aftdeck.report.page.gather import Gathered, gathered
@@ -94,7 +93,7 @@ def test_key_moments_are_in_order_and_once(run_data: Gathered) -> None:
     assert titles[0] == "start" and titles[-1] == "end" and "acquired" in titles and "smallest clearance" in titles
     assert ticks == sorted(set(ticks))
     least = next(moment for moment in run_data.moments if moment.title == "smallest clearance").frame.work.nearest
-    clearance = next(value.number for metric, value in run_data.metrics.items() if metric is LEAST)
+    clearance = next(value.number for metric, value in run_data.metrics.items() if metric is named("min_clearance_m"))
     assert least is not None and least.clearance == pytest.approx(clearance)
 
 

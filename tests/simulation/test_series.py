@@ -17,8 +17,9 @@ from aftdeck.recording import gauged
 from aftdeck.recording.reader import Recording
 from aftdeck.recording.run import record
 from aftdeck.report.series import series_of
+from aftdeck.simulation.readings.reading import Known
 from aftdeck.simulation.run import Run, Simulation, run
-from aftdeck.simulation.series.groups import groups_of
+from aftdeck.simulation.series.groups import columns_of, in_series
 from aftdeck.table import Table, with_unit
 from tests.pages import ROOT
 from tests.plant.multibody.flights import scenario
@@ -45,9 +46,9 @@ def flown() -> Run:
 def test_every_group_has_a_value_for_each_of_its_columns(name: str, plant: str) -> None:
     sim = Simulation(aftdeck.load_scenario(name, {"plant": plant}), gauged=True)
     frame, names = sim.step(), []
-    for group, columns in groups_of(sim.scenario):
-        values = group.values(frame, sim.readings)
-        assert len(values) == len(columns), group.name
+    for reading in in_series(sim.scenario):
+        columns, values = columns_of(reading, sim.scenario), reading.values(Known(frame, sim.scenario, sim.readings))
+        assert len(values) == len(columns), reading.name
         assert [isinstance(value, str) for value in values] == [column.kind == "text" for column in columns]
         names += [column.name for column in columns]
         assert all(column.name.endswith(with_unit("", column.unit)) for column in columns)

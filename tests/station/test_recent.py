@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from aftdeck.report.lamps import Lamp
-from aftdeck.report.strips import readings, sources
+from aftdeck.report.strips import blank, curve_values
 from aftdeck.simulation.inputs import Inputs
 from aftdeck.simulation.run import Simulation
 from aftdeck.station.messages import from_page, kinds, to_page
@@ -39,7 +39,7 @@ def test_page_receives_all_data_first_and_then_only_new_data() -> None:
     found = run.recent.news(None)
     assert found is not None
     first, mark = found
-    assert [strip.name for strip in first.strips] == [source.name for source in sources(scenario())]
+    assert [strip.name for strip in first.strips] == [strip.name for strip in blank(scenario())]
     assert [sample.time_s for sample in first.samples] == pytest.approx([(1 + i * EVERY) * PERIOD for i in range(3)])
     assert run.recent.news(mark) is None
     run.fly(EVERY)
@@ -54,7 +54,7 @@ def test_sample_has_the_value_of_every_curve() -> None:
     found = run.recent.news(None)
     assert found is not None
     assert run.simulation.frame is not None
-    exact = readings(scenario())(run.simulation.frame, None)
+    exact = curve_values(scenario())(run.simulation.frame, None)
     assert found[0].samples[-1].values == pytest.approx(exact, abs=0.51 * 10**-recent.DECIMALS)
 
 

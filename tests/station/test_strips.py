@@ -12,9 +12,9 @@ from hypothesis import given
 from hypothesis import strategies as st
 from hypothesis.extra.numpy import arrays
 
-from aftdeck.report.metrics.path import worst_rate
-from aftdeck.report.strips import BUCKETS, sources, thin
+from aftdeck.report.strips import BUCKETS, curve_values, sources, thin
 from aftdeck.scenario.load import load_scenario
+from aftdeck.simulation.readings.motion import worst_rate
 from aftdeck.simulation.run import Simulation
 from aftdeck.tuples import Six
 
@@ -67,6 +67,6 @@ def test_joint_torque_is_a_part_of_the_limit_of_what_acts(brakes: bool) -> None:
     limits = (servo.holding_torque if brakes else servo.torque_limit).tolist()
     torques: Six = (0.1 * limits[0], 0.0, -0.6 * limits[2], 0.2 * limits[3], 0.0, 0.5 * limits[5])
     dynamics = msgspec.structs.replace(frame.dynamics, torques=torques)
-    (strip,) = [source for source in sources(scenario) if source.name == "Joint torque"]
-    ((_, value),) = strip.curves
-    assert value(msgspec.structs.replace(frame, brakes=brakes, dynamics=dynamics), None) == pytest.approx(0.6)
+    values = iter(curve_values(scenario)(msgspec.structs.replace(frame, brakes=brakes, dynamics=dynamics), None))
+    shown = {source.blank.name: [next(values) for _ in source.curves] for source in sources(scenario)}
+    assert shown["Joint torque"] == [pytest.approx(0.6)]

@@ -18,6 +18,7 @@ from aftdeck.scenario.disturbance import Disturbance
 from aftdeck.scenario.target import Target
 from aftdeck.simulation.camera_drives import CameraDrive
 from aftdeck.simulation.inputs import Inputs
+from aftdeck.simulation.readings.panel import MODE_NUMBERS
 from aftdeck.table import Column
 from aftdeck.units import short
 
@@ -56,22 +57,6 @@ _STICKS: Mapping[str, tuple[tuple[str, str], ...]] = {
 }
 """Columns of each stick, each with its definition."""
 
-MODE_NUMBERS: Mapping[object, int] = {
-    "OPR CMD": 1,
-    "AUTO 1": 2,
-    "AUTO 2": 3,
-    "AUTO 3": 4,
-    "AUTO 4": 5,
-    "TEST": 6,
-    "ORB UNL": 7,
-    "END EFF": 8,
-    "ORB LD": 9,
-    "PL": 10,
-    "SINGLE": 11,
-    "DIRECT": 12,
-    "MASTER": 13,
-}
-"""Number of each position of the MODE rotary; these numbers never change, a new mode gets a new one."""
 _ON_OFF: Mapping[object, int] = {True: 1, False: -1}
 _SWITCHES: Mapping[str, tuple[str, Mapping[object, int]]] = {
     "mode": ("MODE rotary.", MODE_NUMBERS),

@@ -5,9 +5,11 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from aftdeck.export.columns import Encoding
-from aftdeck.export.state import GROUPS, Shown
+from aftdeck.export.state import in_state
 from aftdeck.kinematics.arm import load_arm
 from aftdeck.made_tables import renew_file
+from aftdeck.simulation.readings.quantity import UNITS
+from aftdeck.simulation.readings.reading import Reading
 
 
 def tables() -> str:
@@ -22,15 +24,15 @@ def _lines() -> Iterator[str]:
         yield f"| `{column.name}` | {column.unit} | {column.definition} |"
     yield "\n### State\n"
     yield "| numbers | unit | definition |\n|---|---|---|"
-    for group in GROUPS:
-        yield f"| {_names(group)} | {group.unit} | {group.definition} |"
+    for reading in in_state():
+        yield f"| {_names(reading)} | {UNITS[reading.quantity]} | {reading.sentence} |"
     yield ""
 
 
-def _names(group: Shown) -> str:
-    if group.parts is None:
-        return f"`{group.name}_` and the name of each joint"
-    names = [f"{group.name}_{part}" for part in group.parts] or [group.name]
+def _names(reading: Reading) -> str:
+    if isinstance(reading.parts, str):
+        return f"`{reading.state}_` and the name of each of the arm's {reading.parts}"
+    names = [f"{reading.state}_{part}" for part in reading.parts] or [reading.state]
     return ", ".join(f"`{name}`" for name in names)
 
 

@@ -22,6 +22,7 @@ class Observed(NamedTuple):
         unit: unit before the division; empty for a pure number.
         scale: values that are normalised to 1, one for all or one for each; as a text for the tables.
         limit: greatest magnitude after the division.
+        reading: name of the reading that it shows; empty for none.
     """
 
     name: str
@@ -30,6 +31,7 @@ class Observed(NamedTuple):
     unit: str
     scale: str
     limit: float
+    reading: str = ""
 
 
 class Control(NamedTuple):

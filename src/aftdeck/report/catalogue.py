@@ -11,9 +11,6 @@ from aftdeck.report.metrics import (
     announcements,
     clearance,
     desk,
-    forces,
-    limits,
-    loads,
     moments,
     path,
     pictures,
@@ -22,9 +19,10 @@ from aftdeck.report.metrics import (
     stopping,
     times,
 )
-from aftdeck.report.quantity import UNITS
+from aftdeck.report.recorded import with_recorded
+from aftdeck.simulation.readings.quantity import UNITS
 
-SUBJECTS: dict[str, tuple[Metric, ...]] = {
+_SUBJECTS: dict[str, tuple[Metric, ...]] = {
     "Times": times.METRICS,
     "Task": steps.METRICS,
     "Path": path.METRICS,
@@ -32,16 +30,24 @@ SUBJECTS: dict[str, tuple[Metric, ...]] = {
     "Clearance": clearance.METRICS,
     "Hand controllers": sticks.METRICS,
     "Stopping": stopping.METRICS,
-    "Limits": limits.METRICS,
+    "Limits": (),
     "Alarms": (*alarms.METRICS, *announcements.METRICS),
-    "Forces": forces.METRICS,
-    "Torques, loads and bends": loads.METRICS,
+    "Forces": (),
+    "Torques, loads and bends": (),
     "Pictures": pictures.METRICS,
     "Station": desk.METRICS,
 }
+"""Metrics by subject, those of readings only where others follow them."""
+SUBJECTS = {subject: with_recorded(subject, metrics) for subject, metrics in _SUBJECTS.items()}
 """All metrics, by subject."""
 METRICS = tuple(metric for subject in SUBJECTS.values() for metric in subject)
 """All metrics, in the order of tables."""
+_BY_COLUMN = {metric.column: metric for metric in METRICS}
+
+
+def named(column: str) -> Metric:
+    """Return the metric with this column of tables."""
+    return _BY_COLUMN[column]
 
 
 def tables() -> str:

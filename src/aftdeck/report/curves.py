@@ -6,7 +6,7 @@ from typing import Literal
 
 import msgspec
 
-from aftdeck.report.quantity import Quantity
+from aftdeck.simulation.readings.quantity import Quantity
 from aftdeck.worksite.watch.alarm import Level
 
 

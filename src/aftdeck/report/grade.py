@@ -5,17 +5,16 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Literal, get_args
 
+from aftdeck.report.catalogue import named
 from aftdeck.report.metric import Metric, Value
-from aftdeck.report.metrics.clearance import INHIBITS, WARNINGS
-from aftdeck.report.metrics.limits import HARD_STOPS
 
 Grade = Literal["A", "B", "C", "D"]
 _GRADES: tuple[Grade, ...] = get_args(Grade)
 
 FAULTS = {
-    INHIBITS: ("contact that inhibited the arm", "contacts that inhibited the arm"),
-    WARNINGS: ("warning by CLEARANCE", "warnings by CLEARANCE"),
-    HARD_STOPS: ("hard stop", "hard stops"),
+    named("inhibits"): ("contact that inhibited the arm", "contacts that inhibited the arm"),
+    named("clearance_warnings"): ("warning by CLEARANCE", "warnings by CLEARANCE"),
+    named("hard_stop_events"): ("hard stop", "hard stops"),
 }
 """Metrics that count faults, each with its text for one fault and for several."""
 

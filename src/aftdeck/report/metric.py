@@ -5,21 +5,11 @@ from __future__ import annotations
 from collections.abc import Iterable
 from typing import NamedTuple, Protocol
 
-from aftdeck.report.quantity import UNITS, Quantity
 from aftdeck.simulation.frame import Frame
+from aftdeck.simulation.readings.quantity import UNITS, Quantity
+from aftdeck.simulation.readings.source import OWN
 from aftdeck.table import with_unit
 from aftdeck.worksite.watch.alarm import Level
-
-PONTILLO = "Pontillo (MIT, 2010)"
-"""T. M. Pontillo, thesis about the performance of operators of a space manipulator."""
-FORMAN = "Forman (MIT, 2011)"
-"""R. E. Forman, thesis about objective metrics for the training of such operators."""
-DISPARITY = "control-to-camera disparity (MIT, 2009)"
-"""Studies at MIT of the angle between control frame and camera: low below 90 deg, high above."""
-REPORT = "Remote Manipulator Simulation, final report"
-"""Source of the task phases."""
-OWN = "Aftdeck"
-"""Source of a metric that Aftdeck defines."""
 
 
 class Metric(NamedTuple):

@@ -10,11 +10,8 @@ from aftdeck.report.lamps import Lamp
 from aftdeck.report.metric import Collector, Metric, Value
 from aftdeck.report.metrics.alarms import Alarms
 from aftdeck.report.metrics.announcements import ANNOUNCED, Announcements
-from aftdeck.report.metrics.clearance import Clearance
+from aftdeck.report.metrics.clearance import Collisions
 from aftdeck.report.metrics.desk import Desk
-from aftdeck.report.metrics.forces import Forces
-from aftdeck.report.metrics.limits import Limits
-from aftdeck.report.metrics.loads import Loads
 from aftdeck.report.metrics.moments import Moments
 from aftdeck.report.metrics.path import Path
 from aftdeck.report.metrics.pictures import Pictures
@@ -22,8 +19,10 @@ from aftdeck.report.metrics.steps import Steps
 from aftdeck.report.metrics.sticks import Sticks
 from aftdeck.report.metrics.stopping import Stopping
 from aftdeck.report.metrics.times import Times
+from aftdeck.report.recorded import ReadingMetrics
 from aftdeck.scenario.model import Scenario
 from aftdeck.simulation.frame import Frame
+from aftdeck.simulation.readings.reading import Known
 from aftdeck.task.progress import Progress
 
 
@@ -44,19 +43,17 @@ class RunMetrics:
 
     def _begin(self) -> None:
         scenario, period_s = self._scenario, self._scenario.control_period
-        self._alarms, self._loads = Alarms(), Loads(scenario)
+        self._alarms, self._readings = Alarms(), ReadingMetrics(scenario)
         self._announcements = Announcements()
         self._steps = Steps(scenario, self._progress)
         self._collectors: tuple[Collector, ...] = (
             Times(period_s),
             self._steps,
-            Path(period_s),
+            Path(),
             Moments(scenario),
-            Clearance(),
+            Collisions(),
             Sticks(period_s),
             Stopping(),
-            Limits(),
-            Forces(period_s),
             self._pictures,
             self._announcements,
         )
@@ -69,7 +66,7 @@ class RunMetrics:
         for collector in self._collectors:
             collector.see(frame, self._before)
         self._alarms.see(lamps)
-        self._loads.see(frame, readings)
+        self._readings.see(Known(frame, self._scenario, readings))
         self._before = frame
 
     def note(self, message: Message) -> None:
@@ -97,6 +94,6 @@ class RunMetrics:
         for collector in self._collectors:
             found.update(collector.found())
         found.update(self._alarms.found())
-        found.update(self._loads.found())
+        found.update(self._readings.found())
         found.update(self._desk.found(delays))
         return found

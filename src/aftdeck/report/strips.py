@@ -4,18 +4,20 @@ from __future__ import annotations
 
 import math
 from array import array
-from collections.abc import Callable, Iterable, Sequence
-from typing import Literal, NamedTuple
+from collections.abc import Callable, Iterator, Sequence
+from typing import NamedTuple
 
 import numpy as np
+from msgspec.structs import replace
 from numpy.typing import NDArray
 
 from aftdeck.report.curves import Curve, Strip
-from aftdeck.report.metrics.path import worst_rate
-from aftdeck.report.quantity import Quantity
 from aftdeck.scenario.model import Scenario
-from aftdeck.simulation.frame import Force, Frame, Holding
+from aftdeck.simulation.frame import Frame
 from aftdeck.simulation.log import joint_label
+from aftdeck.simulation.readings.motion import worst_rate
+from aftdeck.simulation.readings.reading import Known, Reading, Role, Value
+from aftdeck.simulation.readings.table import readings_of
 
 BUCKETS = 1000
 """Number of equal parts of a run. A curve keeps the least and the greatest value of each part.
@@ -23,119 +25,56 @@ BUCKETS = 1000
 The drawn curve then has about two values for each pixel of the strip's width.
 """
 
-Role = Literal["actual", "commanded"]
-Value = Callable[[Frame, float | None], float | None]
-"""Function that returns a curve's value from a frame and its recorded latency [ms]."""
-
 
 class Source(NamedTuple):
-    """Definition of a strip, with the functions that read the values of its curves."""
+    """Strip without values, and the functions that read the values of its curves."""
 
-    name: str
-    quantity: Quantity
-    curves: tuple[tuple[Role, Value], ...]
-    limit: float | None = None
-    caution: float | None = None
-    warning: float | None = None
-    shown: bool = False
-    rests: bool = True
-    """True if zero is the value at rest; the drawn range then includes zero."""
+    blank: Strip
+    curves: tuple[Value, ...]
 
 
 def sources(scenario: Scenario) -> tuple[Source, ...]:
-    """Return the definition of every strip that a recording of this scenario can show."""
-    return (
-        Source(
-            "Clearance",
-            "gap",
-            (("actual", lambda f, _: f.work.nearest.clearance if f.work.nearest else None),),
-            caution=scenario.caution,
-            warning=scenario.warning,
-            shown=True,
-        ),
-        Source(
-            "POR rate",
-            "speed",
-            (("commanded", lambda f, _: _size(f.twist_demanded[3:])), ("actual", lambda f, _: _size(f.twist[3:]))),
-            shown=True,
-        ),
-        Source(
-            "Joint rate",
-            "part of limit",
-            (
-                ("commanded", lambda f, _: worst_rate(f.rates_commanded, f.rate_limits)[0]),
-                ("actual", lambda f, _: worst_rate(f.rates, f.rate_limits)[0]),
-            ),
-            limit=1.0,
-            shown=True,
-        ),
-        Source(
-            "POR turn rate",
-            "turn rate",
-            (("commanded", lambda f, _: _size(f.twist_demanded[:3])), ("actual", lambda f, _: _size(f.twist[:3]))),
-        ),
-        Source("Remaining distance", "distance", (("actual", lambda f, _: f.goal.distance if f.goal else None),)),
-        Source("RATLMT ratio", "ratio", (("actual", lambda f, _: f.ratio),)),
-        *(_singularity(i, name) for i, name in enumerate(scenario.arm.model.singularities)),
-        *(_angle(i, label) for i, label in enumerate(scenario.arm.model.labels)),
-        Source("THC", "share", (("commanded", lambda f, _: _deflection(f.translation)),)),
-        Source("RHC", "share", (("commanded", lambda f, _: _deflection(f.rotation)),)),
-        Source("Stick to picture", "milliseconds", (("actual", lambda _, latency: latency),)),
-        *_dynamics(scenario),
-    )
+    """Return every strip that a recording of this scenario can show."""
+    return tuple(source for reading in readings_of(scenario) for source in _sources(reading, scenario))
 
 
-def _dynamics(scenario: Scenario) -> tuple[Source, ...]:
-    """Return the strips of a plant with masses; () on the kinematic plant."""
-    servo = scenario.arm.model.servo
-    if scenario.plant == "kinematic" or servo is None:
-        return ()
-    motors, brakes = servo.torque_limit.tolist(), servo.holding_torque.tolist()
-    return (
-        Source(
-            "Joint torque",
-            "part of limit",
-            (("actual", lambda f, _: _load(f, brakes if f.brakes else motors)),),
-            limit=1.0,
-            shown=True,
-        ),
-        Source("Contact force", "force", (("actual", lambda f, _: _greatest(one.peak for one in _touching(f))),)),
-        Source("Holding force", "force", (("actual", lambda f, _: _greatest(one.peak for one in _holding(f))),)),
-    )
+def _sources(reading: Reading, scenario: Scenario) -> Iterator[Source]:
+    """Yield the strip of a reading, or one for each joint; nothing for a reading without a strip."""
+    if (strip := reading.strip) is None:
+        return
+    caution, warning = (None, None) if strip.alarms is None else strip.alarms(scenario)
+    both: tuple[tuple[Role, Value | None], ...] = (("commanded", reading.commanded), (strip.role, reading.of))
+    curves = [(role, of) for role, of in both if of is not None]
+    blanks, bounds = tuple(Curve(role, (), ()) for role, _ in curves), (strip.limit, caution, warning)
+    parts = reading.labels(scenario)
+    for k, part in enumerate(parts or ("",)):
+        name = reading.heading.format(part=part)
+        blank = Strip(name, reading.quantity, blanks, 0.0, 0.0, *bounds, strip.shown, strip.rests)
+        yield Source(blank, tuple(_part(of, k) if parts else of for _, of in curves))
 
 
-def _load(frame: Frame, limits: Sequence[float]) -> float:
-    """Return the greatest torque of a joint, as a part of the limits of motors or brakes."""
-    if frame.dynamics is None:
-        return 0.0
-    return max(abs(torque) / limit for torque, limit in zip(frame.dynamics.torques, limits, strict=True))
+def _part(of: Value, k: int) -> Value:
+    """Return the function that returns the value of a part."""
+    return lambda s: of(s)[k]
 
 
-def _touching(frame: Frame) -> Sequence[Force]:
-    return () if frame.dynamics is None else frame.dynamics.contacts
-
-
-def _holding(frame: Frame) -> Sequence[Holding]:
-    return () if frame.dynamics is None else frame.dynamics.holds
-
-
-def _greatest(values: Iterable[float]) -> float:
-    """Return the greatest of some values that are not negative; 0 for none."""
-    return max(values, default=0.0)
-
-
-def readings(scenario: Scenario) -> Callable[[Frame, float | None], tuple[float | None, ...]]:
+def curve_values(scenario: Scenario) -> Callable[[Frame, float | None], tuple[float | None, ...]]:
     """Return a function that returns the values of all curves, strip by strip, for a frame and its latency [ms]."""
-    values = [value for source in sources(scenario) for _, value in source.curves]
-    return lambda frame, latency_ms: tuple([value(frame, latency_ms) for value in values])
+    curves = [of for source in sources(scenario) for of in source.curves]
+
+    def values(frame: Frame, latency_ms: float | None) -> tuple[float | None, ...]:
+        known = Known(frame, scenario, latency_ms=latency_ms)
+        return tuple([of(known) for of in curves])
+
+    return values
 
 
 class Strips:
     """All curves of a run, collected frame by frame."""
 
     def __init__(self, scenario: Scenario, period_s: float) -> None:
-        self._sources = sources(scenario)
-        self._curves = sum(len(source.curves) for source in self._sources)
+        self._blank = blank(scenario)
+        self._curves = sum(len(strip.curves) for strip in self._blank)
         self._values = array("d")  # of all curves, frame by frame
         self._period_s = period_s
 
@@ -145,43 +84,27 @@ class Strips:
 
     def strips(self) -> tuple[Strip, ...]:
         """Return all strips, thinned; a curve without any value has no points."""
-        curves = iter(np.asarray(self._values).reshape(-1, self._curves).T)
-        return tuple(self._strip(source, [next(curves) for _ in source.curves]) for source in self._sources)
+        columns = iter(np.asarray(self._values).reshape(-1, self._curves).T)
+        return tuple(self._strip(strip, [next(columns) for _ in strip.curves]) for strip in self._blank)
 
-    def _strip(self, source: Source, columns: Sequence[NDArray[np.float64]]) -> Strip:
-        curves, ends = [], [0.0] if source.rests else []
-        for (role, _), values in zip(source.curves, columns, strict=True):
+    def _strip(self, strip: Strip, columns: Sequence[NDArray[np.float64]]) -> Strip:
+        """Return a strip with these values. Its range is from the least to the greatest value."""
+        curves, ends = [], [0.0] if strip.rests else []
+        for curve, values in zip(strip.curves, columns, strict=True):
             if np.isnan(values).all():
-                curves.append(Curve(role, (), ()))
+                curves.append(curve)
                 continue
             ends += [float(np.nanmin(values)), float(np.nanmax(values))]
             kept = thin(values)
             times = [round((i + 1) * self._period_s, 9) for i in kept.tolist()]
             shown = [None if math.isnan(value) else value for value in values[kept].tolist()]
-            curves.append(Curve(role, tuple(times), tuple(shown)))
-        return _strip(source, curves, ends)
+            curves.append(Curve(curve.role, tuple(times), tuple(shown)))
+        return replace(strip, curves=tuple(curves), low=min(ends, default=0.0), high=max(ends, default=0.0))
 
 
 def blank(scenario: Scenario) -> tuple[Strip, ...]:
     """Return all strips, with curves that have no points."""
-    return tuple(_strip(source, [Curve(role, (), ()) for role, _ in source.curves], ()) for source in sources(scenario))
-
-
-def _strip(source: Source, curves: Iterable[Curve], ends: Iterable[float]) -> Strip:
-    """Return the strip with the given curves. Its range is from the least to the greatest value in `ends`."""
-    ends = tuple(ends)
-    return Strip(
-        source.name,
-        source.quantity,
-        tuple(curves),
-        min(ends, default=0.0),
-        max(ends, default=0.0),
-        source.limit,
-        source.caution,
-        source.warning,
-        source.shown,
-        source.rests,
-    )
+    return tuple(source.blank for source in sources(scenario))
 
 
 def thin(values: NDArray[np.float64]) -> NDArray[np.intp]:
@@ -217,20 +140,3 @@ def worst_joint(frame: Frame, scenario: Scenario) -> str:
     """Return the display name of the joint nearest to its rate limit; empty if no joint moves."""
     _, joint = worst_rate(frame.rates, frame.rate_limits)
     return joint_label(scenario.arm.joints[joint]) if joint >= 0 else ""
-
-
-def _singularity(i: int, name: str) -> Source:
-    return Source(f"{name.capitalize()} singularity", "ratio", (("actual", lambda f, _: abs(f.singularity[i])),))
-
-
-def _angle(i: int, label: str) -> Source:
-    commanded: tuple[Role, Value] = ("commanded", lambda f, _: f.angles_commanded[i])
-    return Source(label, "angle", (commanded, ("actual", lambda f, _: f.angles[i])), rests=False)
-
-
-def _size(vector: Sequence[float]) -> float:
-    return math.hypot(*vector)
-
-
-def _deflection(stick: Sequence[float]) -> float:
-    return max(map(abs, stick))

@@ -9,7 +9,7 @@ from aftdeck.encodable import encodable
 from aftdeck.recording.reader import Recording
 from aftdeck.report.catalogue import METRICS
 from aftdeck.report.metric import Metric, Value
-from aftdeck.report.quantity import UNITS
+from aftdeck.simulation.readings.quantity import UNITS
 from aftdeck.table import Cell, Column, Table
 
 Row = dict[str, Cell]

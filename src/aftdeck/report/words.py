@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 
 from aftdeck.report.metric import Metric
-from aftdeck.report.quantity import UNITS, Quantity
+from aftdeck.simulation.readings.quantity import UNITS, Quantity
 
 _ANGLES = ("angle", "turn rate")
 

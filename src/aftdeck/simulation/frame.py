@@ -252,55 +252,44 @@ class Dynamics(msgspec.Struct, frozen=True, gc=False):
 class Frame(msgspec.Struct, frozen=True, gc=False):
     """State after a control step, with the inputs and limits that acted. The tip is coordinate frame 7."""
 
-    tick: Annotated[int, field_meta("number of control steps done", value="state.tick")]
+    tick: Annotated[int, field_meta("number of control steps done")]
     time_s: Annotated[
         float,
-        field_meta(
-            "simulated time: tick x control period", "s", value="round(state.tick * scenario.control_period, 9)"
-        ),
+        field_meta("simulated time: tick x control period", "s"),
     ]
-    phase: Annotated[str, field_meta("name of the script's phase; empty with manual inputs", value="state.phase")]
+    phase: Annotated[str, field_meta("name of the script's phase; empty with manual inputs")]
     by: Annotated[
         Literal["hand", "script"],
-        field_meta("source of this step's inputs", value='"script" if state.by_script else "hand"'),
+        field_meta("source of this step's inputs"),
     ]
-    mode: Annotated[str, field_meta("mode: selected panel position", value="panel.mode")]
+    mode: Annotated[str, field_meta("mode: selected panel position")]
     law: Annotated[
         int,
-        field_meta(
-            "number of the steering law: 1 to 8 as in the report, 0 TEST, 9 DIRECT, 10 MASTER", value="panel.flown"
-        ),
+        field_meta("number of the steering law: 1 to 8 as in the report, 0 TEST, 9 DIRECT, 10 MASTER"),
     ]
     law_choice: Annotated[
         Literal["position", "closed loop", "open loop"],
-        field_meta("position of the switch that selects the steering law of OPR CMD and AUTO 1-4", value="panel.law"),
+        field_meta("position of the switch that selects the steering law of OPR CMD and AUTO 1-4"),
     ]
     payload_axes: Annotated[
         bool,
-        field_meta("whether the switch beside ORB LD selects rotation about payload axes", value="panel.payload_axes"),
+        field_meta("whether the switch beside ORB LD selects rotation about payload axes"),
     ]
-    rate_hold: Annotated[
-        bool, field_meta("whether RATE HOLD keeps a stick command", value="panel.rate_hold_sticks is not None")
-    ]
-    position_hold: Annotated[bool, field_meta("whether POSITION HOLD is on", value="panel.position_hold")]
-    brakes: Annotated[bool, field_meta("whether BRAKES are on", value="panel.brakes")]
-    safing: Annotated[bool, field_meta("whether SAFING commands zero joint rates", value="panel.safing")]
-    joint: Annotated[int, field_meta("selected joint, from 0", value="panel.joint")]
-    rate: Annotated[Literal["coarse", "vernier"], field_meta("rate setting", value="panel.rate")]
-    sequence: Annotated[
-        Sequence, field_meta("state of an automatic mode; `checking` while CMD CK runs", value="panel.sequence")
-    ]
+    rate_hold: Annotated[bool, field_meta("whether RATE HOLD keeps a stick command")]
+    position_hold: Annotated[bool, field_meta("whether POSITION HOLD is on")]
+    brakes: Annotated[bool, field_meta("whether BRAKES are on")]
+    safing: Annotated[bool, field_meta("whether SAFING commands zero joint rates")]
+    joint: Annotated[int, field_meta("selected joint, from 0")]
+    rate: Annotated[Literal["coarse", "vernier"], field_meta("rate setting")]
+    sequence: Annotated[Sequence, field_meta("state of an automatic mode; `checking` while CMD CK runs")]
     point: Annotated[
         int,
         field_meta(
             "AUTO 1-4: number of the present or next point, from 1; 0 in other modes",
-            value="min(panel.point + 1, points) if points else 0",
         ),
     ]
     points: Annotated[int, field_meta("AUTO 1-4: total number of points; 0 in other modes")]
-    check: Annotated[
-        Check | None, field_meta("result of CMD CK for the present target; null if there is none", value="panel.check")
-    ]
+    check: Annotated[Check | None, field_meta("result of CMD CK for the present target; null if there is none")]
     translation: Annotated[Vec3, field_meta("THC deflection that acted, in [-1, 1]", "1", "control", 7)]
     rotation: Annotated[Vec3, field_meta("RHC deflection that acted, in [-1, 1]", "1", "control", 7)]
     drive: Annotated[float, field_meta("DRIVE deflection that acted, in [-1, 1]", "1", decimals=7)]
@@ -313,7 +302,6 @@ class Frame(msgspec.Struct, frozen=True, gc=False):
         tuple[int, ...],
         field_meta(
             "for each joint: 0 free, 1 beyond the reach limit, 2 beyond the soft stop, 3 at the hard stop",
-            value="panel.zones",
         ),
     ]
     position: Annotated[Vec3, field_meta("position of the tip", "m", "L")]
@@ -336,7 +324,6 @@ class Frame(msgspec.Struct, frozen=True, gc=False):
         field_meta(
             "if the payload in the grasp is one of `Scenario.own_payloads`, its number, from 1; 0 for any other "
             "payload, and for an empty grasp",
-            value="state.script.attached",
         ),
     ]
     twist: Annotated[Six, field_meta("angular velocity, and velocity of the point of resolution", "rad/s, m/s", "L", 7)]
@@ -347,60 +334,48 @@ class Frame(msgspec.Struct, frozen=True, gc=False):
         field_meta("speed limit and angular rate limit of the point of resolution in this step", "m/s, rad/s"),
     ]
     ratio: Annotated[float, field_meta("fraction of the demand that RATLMT permits, 0 to 1", "1", decimals=7)]
-    limits: Annotated[
-        tuple[Limit, ...], field_meta("limits that were active in this step", value="active_limits(flight, state)")
-    ]
+    limits: Annotated[tuple[Limit, ...], field_meta("limits that were active in this step")]
     singularity: Annotated[
         tuple[float, ...],
         field_meta(
             "signed distances from the arm's singularities: shoulder, elbow, wrist; or only rank", "1", decimals=7
         ),
     ]
-    singular: Annotated[
-        tuple[str, ...], field_meta("singularities nearer than the arm's threshold", value="panel.singular")
-    ]
+    singular: Annotated[tuple[str, ...], field_meta("singularities nearer than the arm's threshold")]
     ways_out: Annotated[
         tuple[WayOut, ...],
         field_meta(
             "escape direction from each singularity in `singular` and each joint beyond a limit; while a contact "
             "inhibits the arm, only the escape direction from the contact",
-            value="state.ways_out",
         ),
     ]
     goal: Annotated[
         Goal | None,
-        field_meta(
-            "target of an automatic mode; null if there is none", value="_goal(panel, position, orientation, remaining)"
-        ),
+        field_meta("target of an automatic mode; null if there is none"),
     ]
     times: Annotated[
         Times,
-        field_meta("TP, ETA and ETAP", value="_times(flight, state, remaining, turn_remaining, under_way=go != 0.0)"),
+        field_meta("TP, ETA and ETAP"),
     ]
-    work: Annotated[
-        Work, field_meta("state of the worksite: contacts, captures and payloads", value="work_of(flight, state)")
-    ]
-    events: Annotated[tuple[Event, ...], field_meta("events of this step", value="tuple(state.events)")]
+    work: Annotated[Work, field_meta("state of the worksite: contacts, captures and payloads")]
+    events: Annotated[tuple[Event, ...], field_meta("events of this step")]
     views: Annotated[
         tuple[Setting, ...],
         field_meta(
             "pan, tilt and field of view of the driven cameras, in the order of `scenario.all_cameras.cameras_of`",
             "rad",
-            value="state.views",
         ),
     ]
-    sha256: Annotated[str, field_meta("SHA-256 of the exact state", value="seal.hex()")]
+    sha256: Annotated[str, field_meta("SHA-256 of the exact state")]
     dynamics: Annotated[
         Dynamics | None,
         field_meta(
             "motion of the bodies; null on the kinematic plant, where the encoders show it",
-            value="dynamics_of(flight, state)",
         ),
     ] = None
     motions: Annotated[
         tuple[Motion, ...],
         field_meta(
             "mechanisms in motion: latches, snares, carriage, prong, telescope",
-            value="motions_of(flight, state.worksite, plant.stand)",
         ),
     ] = ()

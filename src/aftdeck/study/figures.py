@@ -9,8 +9,8 @@ from aftdeck.report.catalogue import METRICS
 from aftdeck.report.intervals import Interval, mean_interval
 from aftdeck.report.page.document import Chart
 from aftdeck.report.page.svg import COLOURS, chart
-from aftdeck.report.quantity import UNITS
 from aftdeck.report.table import Row
+from aftdeck.simulation.readings.quantity import UNITS
 from aftdeck.study.factor import Factor
 from aftdeck.study.statistics import Group, groups, numbers, success_rate
 

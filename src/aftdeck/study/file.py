@@ -14,7 +14,7 @@ from aftdeck.errors import AftdeckError, ScenarioError
 from aftdeck.files import Problem, Text, Where, beside, examine, find_toml, read, sentences
 from aftdeck.operators.spec import OperatorSpec
 from aftdeck.report.catalogue import METRICS
-from aftdeck.report.metrics.loads import NEED_GAUGES
+from aftdeck.report.recorded import NEED_GAUGES
 from aftdeck.scenario.load import Source, find_scenario
 from aftdeck.schema_check import problems_of
 from aftdeck.study.carried import Carried, carry

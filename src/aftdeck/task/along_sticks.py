@@ -12,6 +12,7 @@ from aftdeck.bodies.pose import vec3
 from aftdeck.frames import Pose, quaternion
 from aftdeck.matrices import product
 from aftdeck.simulation.frame import Frame
+from aftdeck.simulation.readings.reading import Along
 from aftdeck.steering.mode import MODES
 from aftdeck.task.remaining import Remaining
 from aftdeck.tuples import Vec3
@@ -43,30 +44,14 @@ def along_sticks(remaining: Remaining, frame: Frame, axes: tuple[Array, Array]) 
     return AlongSticks(vec3(moved, 0), vec3(turned, 0))
 
 
-class SeenAlong(NamedTuple):
-    """Remaining motion, and present motion, along the axes of the sticks; each (3,).
-
-    Attributes:
-        to_go: displacement of the point of resolution [m]; 0 if nothing shows where to move.
-        rotation_to_go: rotation vector [rad]; 0 if nothing shows where to move.
-        velocity: velocity of the point of resolution [m/s].
-        turning: angular velocity [rad/s].
-    """
-
-    to_go: Array
-    rotation_to_go: Array
-    velocity: Array
-    turning: Array
-
-
-def seen_along(frame: Frame, remaining: Remaining | None, axes: tuple[Array, Array]) -> SeenAlong:
+def seen_along(frame: Frame, remaining: Remaining | None, axes: tuple[Array, Array]) -> Along:
     """Return what a policy sees of the motion, whatever the mode; arguments as for `along_sticks`."""
     moving, turning = axes
     to_go, rotation_to_go = np.zeros(3), np.zeros(3)
     if remaining is not None and remaining.motion is not None:
         to_go, rotation_to_go = along_axes(remaining.motion, np.array(frame.resolution), axes)
     twist = np.array(frame.twist)
-    return SeenAlong(to_go, rotation_to_go, product(twist[3:], moving), product(twist[:3], turning))
+    return Along(to_go, rotation_to_go, product(twist[3:], moving), product(twist[:3], turning))
 
 
 def along_axes(motion: Pose, point: Array, axes: tuple[Array, Array]) -> tuple[Array, Array]:

@@ -9,10 +9,12 @@ import numpy as np
 import pytest
 
 import aftdeck
-from aftdeck.report.metrics.forces import IMPULSE, PEAK, Forces
+from aftdeck.report.catalogue import named
+from aftdeck.report.recorded import ReadingMetrics
 from aftdeck.simulation.frame import Frame
 from aftdeck.simulation.inputs import Inputs
 from aftdeck.simulation.payloads.forces import ENDED_AFTER
+from aftdeck.simulation.readings.reading import Known
 from aftdeck.simulation.run import Simulation
 from tests.plant.multibody.test_contacts import MASS, thrown
 from tests.plant.multibody.test_payloads import BOTH, bodies_of
@@ -34,16 +36,15 @@ class Impact(NamedTuple):
 def impact(speed: float, period: float, lasts: float) -> Impact:
     """Throw a body onto the payload bay's floor, from 2.6 m above it."""
     sim = thrown([0.0, 0.0, -speed], [7.3, 0.0, 2.0], period)
-    forces, lines, deepest, before = Forces(period), [], 0.0, None
+    metrics, lines, deepest = ReadingMetrics(sim.scenario), [], 0.0
     for _ in range(round(lasts / period)):
         frame = sim.step(Inputs())
-        forces.see(frame, before)
-        before = frame
+        metrics.see(Known(frame, sim.scenario))
         lines += [event.text for event in frame.events if event.kind == "contact"]
         if frame.work.nearest is not None:
             deepest = min(deepest, frame.work.nearest.clearance)
-    found = {metric: value.number for metric, value in forces.found()}
-    peak, impulse = found[PEAK], found[IMPULSE]
+    found = {metric: value.number for metric, value in metrics.found()}
+    peak, impulse = found[named("peak_contact_force_n")], found[named("contact_impulse_n_s")]
     assert peak is not None
     assert impulse is not None
     return Impact(peak, impulse, -deepest, -float(bodies_of(sim).motions[0, 5]), lines)

@@ -34,6 +34,37 @@ export type LimitKind = 'joint rate' | 'soft stop' | 'hard stop' | 'singularity'
 export type Cause = '' | 'reach' | 'seat' | 'switch' | 'contact' | 'limit' | 'miss' | 'time';
 export type Holder = 'end effector' | 'orbiter' | 'space';
 
+export const UNITS = {
+  "time": "s",
+  "seconds": "s",
+  "count": "",
+  "share": "",
+  "part of limit": "",
+  "ratio": "",
+  "length": "m",
+  "gap": "m",
+  "distance": "m",
+  "angle": "rad",
+  "speed": "m/s",
+  "turn rate": "rad/s",
+  "force": "N",
+  "impulse": "N s",
+  "torque": "N m",
+  "milliseconds": "ms",
+  "words": ""
+} as const;
+
+export const READOUTS = {
+  "clearance": {
+    "title": "Clearance",
+    "about": "Minimum clearance of all monitored pairs"
+  },
+  "torque_of_limit": {
+    "title": "Joint torque",
+    "about": "Torque of motor or brake, as a fraction of its greatest torque"
+  }
+};
+
 /** A box, centred at its position. */
 export interface Box {
   readonly kind: 'box';

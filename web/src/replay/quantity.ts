@@ -1,6 +1,6 @@
 /** Formats of the numbers in strips and measures, with their units. */
 
-import type { Measure, Quantity } from '../link/protocol';
+import { type Measure, type Quantity, UNITS } from '../link/protocol';
 import { degrees, fixed } from '../words/format';
 import type { Units } from '../words/units';
 
@@ -12,6 +12,8 @@ interface Shown {
 }
 
 const DEGREE = 180 / Math.PI;
+/** Decimals of the numbers that every page shows in their SI unit. */
+const DECIMALS = { seconds: 2, ratio: 2, force: 0, impulse: 1, torque: 0, milliseconds: 0 };
 
 /** Returns the format of a quantity. */
 export function shown(quantity: Quantity, units: Units): Shown {
@@ -24,16 +26,12 @@ export function shown(quantity: Quantity, units: Units): Shown {
   switch (quantity) {
     case 'time':
       return { unit: '', perSi: 1, text: (value) => minutes(value) };
-    case 'seconds':
-      return scaled('s', 1, 2);
     case 'count':
       return { unit: '', perSi: 1, text: (value) => fixed(value, Number.isInteger(value) ? 0 : 1, false) };
     case 'share':
       return scaled('%', 100, 0);
     case 'part of limit':
       return scaled('of limit', 1, 2);
-    case 'ratio':
-      return scaled('', 1, 2);
     case 'length':
       return scaled(units.length.name, units.length.perSi, units.length.decimals);
     case 'gap': {
@@ -48,14 +46,13 @@ export function shown(quantity: Quantity, units: Units): Shown {
       return { unit: '°', perSi: DEGREE, text: (value) => degrees(value, 1, value < 0) };
     case 'turn rate':
       return { unit: '°/s', perSi: DEGREE, text: (value) => degrees(value, 2, false) };
+    case 'seconds':
+    case 'ratio':
     case 'force':
-      return scaled('N', 1, 0);
     case 'impulse':
-      return scaled('N s', 1, 1);
     case 'torque':
-      return scaled('N m', 1, 0);
     case 'milliseconds':
-      return scaled('ms', 1, 0);
+      return scaled(UNITS[quantity], 1, DECIMALS[quantity]);
     case 'words':
       return { unit: '', perSi: 1, text: String };
   }

@@ -8,6 +8,8 @@ from typing import NamedTuple
 from aftdeck.gym.terms import Control, Observed, Rewarded
 from aftdeck.scenario.target import AtCargo, AtSeat
 from aftdeck.scenario.task_step import TaskStep
+from aftdeck.simulation.readings.quantity import UNITS
+from aftdeck.simulation.readings.table import named
 from aftdeck.units import FOOT
 
 PERIOD = 0.1
@@ -118,48 +120,26 @@ _BEYOND_SOFT = 1.5
 """Greatest magnitude of a joint angle, in half ranges between its soft stops."""
 
 
+def _observed(name: str, size: int, scale: str, limit: float) -> Observed:
+    reading = named(name)
+    return Observed(name.replace("_", " "), size, reading.sentence, UNITS[reading.quantity], scale, limit, name)
+
+
 def observations(joints: int) -> tuple[Observed, ...]:
     """Return what the environments observe of an arm with this number of joints."""
     return (
-        Observed(
-            "distance to go",
-            3,
-            "Remaining motion of the point that the sticks move, along the axes of the sticks: the numbers of *to go*.",
-            "m",
-            "1 m",
-            _FAR,
-        ),
-        Observed(
-            "rotation to go",
-            3,
-            "Remaining rotation about the axes of the sticks: unit axis times angle.",
-            "rad",
-            "1 rad",
-            3.2,
-        ),
-        Observed("velocity", 3, "Velocity of that point along these axes.", "m/s", "coarse speed limit", _OVERSHOOT),
-        Observed(
-            "angular rate", 3, "Angular velocity about these axes.", "rad/s", "coarse angular rate limit", _OVERSHOOT
-        ),
-        Observed(
-            "joint angles", joints, "Joint angles, 0 midway between the soft stops.", "rad", "soft stop", _BEYOND_SOFT
-        ),
-        Observed("joint rates", joints, "Joint rates.", "rad/s", "servo maximum", _OVERSHOOT),
-        Observed(
-            "clearance",
-            1,
-            "Minimum clearance c of the monitored pairs, as c / (c + 1 ft); 1 without a pair.",
-            "m",
-            "",
-            1.0,
-        ),
-        Observed("ARM INHIBIT", 1, "1 while a contact inhibits the arm.", "", "1", 1.0),
-        Observed(
-            "conditions", 1, "Share of the conditions of capture or docking that hold; 0 without one.", "", "1", 1.0
-        ),
-        Observed("rate setting", 1, "1 for coarse, -1 for vernier.", "", "1", 1.0),
-        Observed("switch", 1, "End effector switch: 1 close, 0 stop, -1 open.", "", "1", 1.0),
-        Observed("opening", 1, "Opening of the snares or of the prong, 0 closed to 1 open.", "", "1", 1.0),
+        _observed("to_go", 3, "1 m", _FAR),
+        _observed("rotation_to_go", 3, "1 rad", 3.2),
+        _observed("velocity", 3, "coarse speed limit", _OVERSHOOT),
+        _observed("turning", 3, "coarse angular rate limit", _OVERSHOOT),
+        _observed("angle", joints, "soft stop, 0 midway between the soft stops", _BEYOND_SOFT),
+        _observed("rate", joints, "servo maximum", _OVERSHOOT),
+        _observed("clearance_share", 1, "1", 1.0),
+        _observed("arm_inhibit", 1, "1", 1.0),
+        _observed("conditions", 1, "1", 1.0),
+        _observed("coarse", 1, "1", 1.0),
+        _observed("effector", 1, "1", 1.0),
+        _observed("opening", 1, "1", 1.0),
     )
 
 

@@ -26,7 +26,6 @@ from aftdeck.simulation.frame import Frame
 from aftdeck.simulation.inputs import Inputs
 from aftdeck.simulation.run import Simulation
 from aftdeck.task.reached import Since, reached
-from aftdeck.task.readings import detrimental
 from aftdeck.task.remaining import Aims, Remaining
 
 _TRIES = 100
@@ -127,7 +126,7 @@ class MissionEnv(gymnasium.Env[Floats32, Floats32]):
                 self.stepped(self._sim)
         frame = self._sim.look()
         before, self._left = self._left, self._aims.remaining(frame, self._step)
-        contact = detrimental(frame)
+        contact = _detrimental(frame)
         success = reached(self._aims, self._step, self._step.done, frame, self._since)
         success = success and not (contact and self.mission.contact_ends)
         reward = _reward(before, self._left, contact, success)
@@ -145,7 +144,7 @@ class MissionEnv(gymnasium.Env[Floats32, Floats32]):
             except ScenarioError:
                 continue
             frame = self._sim.step(self._first_inputs())
-            if not frame.work.contacts or not detrimental(frame):
+            if not frame.work.contacts or not _detrimental(frame):
                 self.start = start
                 return frame
         raise InputError(
@@ -156,6 +155,11 @@ class MissionEnv(gymnasium.Env[Floats32, Floats32]):
     def _first_inputs(self) -> Inputs:
         """Return the inputs of the first control step: sticks centred, mode of the task's step, rate setting coarse."""
         return Inputs(mode=self._step.mode, rate="coarse")
+
+
+def _detrimental(frame: Frame) -> bool:
+    """Return whether a detrimental contact exists."""
+    return any(not contact.essential for contact in frame.work.contacts)
 
 
 def _reward(before: Remaining | None, after: Remaining | None, contact: bool, success: bool) -> float:

@@ -10,8 +10,9 @@ from aftdeck.gym.terms import Floats32, observation_space
 from aftdeck.scenario.model import Scenario
 from aftdeck.scene.stick_axes import StickAxes
 from aftdeck.simulation.frame import Frame
+from aftdeck.simulation.readings.reading import Known
+from aftdeck.simulation.readings.table import named
 from aftdeck.task.along_sticks import seen_along
-from aftdeck.task.readings import clearance_share, conditions_share, effector_switch
 from aftdeck.task.remaining import Remaining
 
 
@@ -24,12 +25,21 @@ class Observer:
     """
 
     def __init__(self, scenario: Scenario, frame: Frame) -> None:
-        model = scenario.arm.model
-        self._sticks = StickAxes(scenario)
-        soft = model.limits.soft
-        self._middle, self._half = soft.mean(axis=1), 0.5 * (soft[:, 1] - soft[:, 0])
-        self._servo, (self._speed, self._turn) = model.rates.servo, frame.por_limits
-        self.space = observation_space(observations(len(scenario.arm.joints)))
+        model, (speed, turn) = scenario.arm.model, frame.por_limits
+        soft, none = model.limits.soft, (0.0, 1.0)
+        zeros_and_ones: dict[str, tuple[Array | float, Array | float]] = {
+            "velocity": (0.0, speed),
+            "turning": (0.0, turn),
+            "angle": (soft.mean(axis=1), 0.5 * (soft[:, 1] - soft[:, 0])),
+            "rate": (0.0, model.rates.servo),
+        }
+        observed = observations(len(scenario.arm.joints))
+        scales = [(one.size, *zeros_and_ones.get(one.reading, none)) for one in observed]
+        self._zero = np.concatenate([np.broadcast_to(zero, size) for size, zero, _ in scales])
+        self._one = np.concatenate([np.broadcast_to(one, size) for size, _, one in scales])
+        self._readings = [named(one.reading) for one in observed]
+        self._scenario, self._sticks = scenario, StickAxes(scenario)
+        self.space = observation_space(observed)
 
     def of(self, frame: Frame, left: Remaining | None) -> Floats32:
         """Return the observation of a frame, each value within the limits of the space.
@@ -38,23 +48,7 @@ class Observer:
             frame: the frame.
             left: remaining motion; None if there is no place to move to.
         """
-        seen = seen_along(frame, left, self._sticks.in_l(frame))
-        values: Array = np.concatenate(
-            [
-                seen.to_go,
-                seen.rotation_to_go,
-                seen.velocity / self._speed,
-                seen.turning / self._turn,
-                (np.array(frame.angles) - self._middle) / self._half,
-                np.array(frame.rates) / self._servo,
-                [
-                    clearance_share(frame),
-                    float(frame.work.arm_inhibit),
-                    conditions_share(frame),
-                    1.0 if frame.rate == "coarse" else -1.0,
-                    effector_switch(frame),
-                    frame.work.hand.opening,
-                ],
-            ]
-        )
-        return np.clip(values, self.space.low, self.space.high).astype(np.float32)
+        known = Known(frame, self._scenario, along=seen_along(frame, left, self._sticks.in_l(frame)))
+        values = np.array([value for reading in self._readings for value in reading.values(known)], dtype=np.float64)
+        scaled: Array = np.clip((values - self._zero) / self._one, self.space.low, self.space.high)
+        return scaled.astype(np.float32)

@@ -1,34 +1,15 @@
-"""Clearance, contacts, and what they caused."""
+"""Collisions."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator
 
-from aftdeck.report.metric import FORMAN, Found, Metric, Value
+from aftdeck.report.metric import Found, Metric, Value
+from aftdeck.report.recorded import recorded
 from aftdeck.simulation.frame import Frame
+from aftdeck.simulation.readings.source import FORMAN
 from aftdeck.worksite.report import Near
-from aftdeck.worksite.watch.alarm import Level
 
-LEAST = Metric(
-    "min_clearance",
-    "Smallest clearance",
-    "gap",
-    "Minimum clearance of the run, without essential contacts.",
-    FORMAN,
-)
-MEAN = Metric(
-    "mean_clearance",
-    "Mean clearance",
-    "gap",
-    "Mean over time of the minimum clearance of all monitored pairs.",
-    FORMAN,
-)
-WARNINGS = Metric(
-    "clearance_warnings",
-    "Clearance warnings",
-    "count",
-    "Number of times that the minimum clearance fell below the threshold of a warning.",
-)
 COLLISIONS = Metric(
     "collisions",
     "Collisions",
@@ -36,47 +17,23 @@ COLLISIONS = Metric(
     "Number of times that two parts came into contact, without contacts that belong to the task.",
     FORMAN,
 )
-INHIBITS = Metric("inhibits", "Inhibits", "count", "Number of times that a contact began to inhibit the arm.")
-METRICS = (LEAST, MEAN, WARNINGS, COLLISIONS, INHIBITS)
+METRICS = (*map(recorded, ("min_clearance_m", "mean_clearance_m", "clearance_warnings")), COLLISIONS)
 
 
-class Clearance:
-    """Clearance and contacts. What the first frame has already is no event: the arm in its cradle."""
+class Collisions:
+    """Contacts of a run. What the first frame has already is no event: the arm in its cradle."""
 
     def __init__(self) -> None:
-        self._nearest: tuple[Near, float] | None = None
-        self._worst: Level = "info"
-        self._sum, self._steps = 0.0, 0
-        self._warnings = self._collisions = self._inhibits = 0
+        self._collisions = 0
 
     def see(self, frame: Frame, before: Frame | None) -> None:
         """Add the next frame."""
-        work, near = frame.work, frame.work.nearest
-        if near is not None:
-            self._sum += near.clearance
-            self._steps += 1
-            if self._nearest is None or near.clearance < self._nearest[0].clearance:
-                self._nearest = near, frame.time_s
-        if work.clearance_level != "info" and self._worst != "warning":
-            self._worst = work.clearance_level
-        if before is None:
-            return
-        old = before.work
-        self._warnings += work.clearance_level == "warning" and old.clearance_level != "warning"
-        self._inhibits += work.arm_inhibit and not old.arm_inhibit
-        if work.contacts:
-            self._collisions += len(_touching(work.contacts) - _touching(old.contacts))
+        if before is not None and frame.work.contacts:
+            self._collisions += len(_touching(frame.work.contacts) - _touching(before.work.contacts))
 
     def found(self) -> Iterator[Found]:
-        """Yield all metrics; clearances only if a pair was monitored."""
-        if self._nearest is not None:
-            near, when = self._nearest
-            where = f"{near.a} to {near.b}, at {when:.1f} s"
-            yield LEAST, Value(near.clearance, detail=where, level=self._worst)
-            yield MEAN, Value(self._sum / self._steps)
-        yield WARNINGS, Value(float(self._warnings))
+        """Yield the number of collisions."""
         yield COLLISIONS, Value(float(self._collisions))
-        yield INHIBITS, Value(float(self._inhibits))
 
 
 def _touching(contacts: tuple[Near, ...]) -> set[tuple[str, str]]:

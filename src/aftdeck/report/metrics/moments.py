@@ -7,9 +7,10 @@ from collections.abc import Iterator
 from typing import NamedTuple
 
 from aftdeck.frames import angle_between
-from aftdeck.report.metric import PONTILLO, Found, Metric, Value
+from aftdeck.report.metric import Found, Metric, Value
 from aftdeck.scenario.model import Scenario
 from aftdeck.simulation.frame import Frame
+from aftdeck.simulation.readings.source import PONTILLO
 from aftdeck.worksite.conditions import Condition
 
 _BEFORE = "in the step before the last"

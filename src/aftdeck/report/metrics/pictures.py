@@ -8,11 +8,12 @@ from functools import cached_property
 
 from aftdeck.arrays import Array
 from aftdeck.frames import SCENE_FROM_PANEL_AXES
-from aftdeck.report.metric import DISPARITY, PONTILLO, Found, Metric, Value
+from aftdeck.report.metric import Found, Metric, Value
 from aftdeck.scenario.model import Scenario
 from aftdeck.scene.cameras import SceneCameras
 from aftdeck.scene.stick_axes import StickAxes
 from aftdeck.simulation.frame import Frame
+from aftdeck.simulation.readings.source import DISPARITY, PONTILLO
 from aftdeck.steering.mode import MODES
 
 CAMERAS = Metric(

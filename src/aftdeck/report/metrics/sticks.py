@@ -4,8 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 
-from aftdeck.report.metric import PONTILLO, Found, Metric, Value
+from aftdeck.report.metric import Found, Metric, Value
 from aftdeck.simulation.frame import Frame
+from aftdeck.simulation.readings.source import PONTILLO
 
 TWO_HANDED = Metric(
     "two_handed_share",

@@ -22,7 +22,7 @@ from aftdeck.report.lamps import lit_lamps
 from aftdeck.report.lanes import Lanes
 from aftdeck.report.metric import Metric, Value
 from aftdeck.report.run_metrics import RunMetrics
-from aftdeck.report.strips import Strips, readings
+from aftdeck.report.strips import Strips, curve_values
 from aftdeck.scenario.model import Scenario
 from aftdeck.scene.everything import ScenePoses
 from aftdeck.simulation.frame import Event, Frame
@@ -112,7 +112,7 @@ def gathered(recording: Recording, *, gauged: bool = False) -> Gathered:
     scenario = scenario_of(recording.opening)
     period_s = recording.opening.control_period_s
     metrics, lanes, strips = RunMetrics(scenario), Lanes(period_s), Strips(scenario, period_s)
-    read, poses = readings(scenario), ScenePoses(scenario)
+    read, poses = curve_values(scenario), ScenePoses(scenario)
     tip, held, events = array("d"), array("d"), list[Event]()
     moments = _Moments()
     for message, gauges in messages_of(recording, gauged=gauged):

@@ -5,15 +5,10 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 
 from aftdeck.encodable import encodable
-from aftdeck.report.catalogue import SUBJECTS
+from aftdeck.report.catalogue import SUBJECTS, named
 from aftdeck.report.grade import faults, grade
 from aftdeck.report.intervals import mean_interval
 from aftdeck.report.metric import Metric
-from aftdeck.report.metrics.alarms import RAISED
-from aftdeck.report.metrics.clearance import LEAST
-from aftdeck.report.metrics.path import PATH
-from aftdeck.report.metrics.steps import DONE, TASK
-from aftdeck.report.metrics.times import RUN
 from aftdeck.report.page.document import Line, document
 from aftdeck.report.page.gather import Gathered
 from aftdeck.report.page.pictures import key_moments
@@ -21,7 +16,7 @@ from aftdeck.report.page.plots import strips, timeline, views
 from aftdeck.report.words import text_of
 from aftdeck.version import __version__
 
-FACTS = (RUN, TASK, DONE, LEAST, RAISED, PATH)
+FACTS = tuple(map(named, ("run_time_s", "task_time_s", "steps_done", "min_clearance_m", "alarms", "tip_path_m")))
 """Metrics at the head of a run's report."""
 
 

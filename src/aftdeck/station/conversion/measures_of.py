@@ -4,52 +4,25 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
 
+from aftdeck.report.catalogue import named
 from aftdeck.report.metric import Metric, Value
-from aftdeck.report.metrics import (
-    alarms,
-    clearance,
-    desk,
-    forces,
-    limits,
-    moments,
-    path,
-    pictures,
-    sticks,
-    times,
-)
 from aftdeck.station.messages.measure import Measure
 
-RESULT = (times.RUN, moments.CAPTURE.offset, clearance.LEAST, alarms.RAISED, path.PATH, desk.LOST)
+RESULT = tuple(map(named, ("run_time_s", "capture_offset_m", "min_clearance_m", "alarms", "tip_path_m", "lost_time_s")))
 """Metrics in the result of a task."""
-REPLAY = (
-    times.RUN,
-    times.MANUAL,
-    desk.LOST,
-    desk.CONTROLLERS,
-    path.TARGET,
-    clearance.LEAST,
-    moments.CAPTURE.offset,
-    moments.CAPTURE.speed,
-    moments.DOCK.offset,
-    moments.DOCK.speed,
-    moments.LATCH.offset,
-    moments.TIP_OFF,
-    path.PATH,
-    path.SPEED,
-    path.RATE,
-    times.VERNIER,
-    sticks.TWO_HANDED,
-    sticks.MULTI_AXIS,
-    sticks.REVERSAL_RATE,
-    sticks.WORST_AXIS,
-    forces.PEAK,
-    alarms.RAISED,
-    limits.BRAKES,
-    pictures.CAMERAS,
+REPLAY = tuple(
+    named(column)
+    for column in (
+        *("run_time_s", "manual_share", "lost_time_s", "controllers", "target_distance_m", "min_clearance_m"),
+        *("capture_offset_m", "capture_speed_m_s", "dock_offset_m", "dock_speed_m_s", "latch_offset_m"),
+        *("tip_off_rate_rad_s", "tip_path_m", "greatest_speed_m_s", "worst_joint_rate", "vernier_time_s"),
+        *("two_handed_share", "multi_axis_share", "reversals_a_minute", "most_reversed_axis"),
+        *("peak_contact_force_n", "alarms", "brakes_used", "camera_changes"),
+    )
 )
 """Metrics in a replay, in their order."""
-_ANGLES = {path.TARGET: path.TARGET_ANGLE} | {
-    kind.offset: kind.angle for kind in (moments.CAPTURE, moments.DOCK, moments.LATCH)
+_ANGLES = {named("target_distance_m"): named("target_angle_rad")} | {
+    named(f"{kind}_offset_m"): named(f"{kind}_angle_rad") for kind in ("capture", "dock", "latch")
 }
 """Distances that are shown with an angle."""
 

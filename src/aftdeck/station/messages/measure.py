@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import msgspec
 
-from aftdeck.report.quantity import Quantity
+from aftdeck.simulation.readings.quantity import Quantity
 from aftdeck.worksite.watch.alarm import Level
 
 

@@ -8,6 +8,7 @@ optional, because the encoder writes default values too.
 from __future__ import annotations
 
 import inspect
+import json
 import sys
 import types
 import typing
@@ -17,8 +18,10 @@ import msgspec
 from aftdeck import shapes
 from aftdeck.field_meta import comments
 from aftdeck.recording.hints import apart, is_object, names
-from aftdeck.report import curves, lamps, quantity
+from aftdeck.report import curves, lamps
 from aftdeck.simulation import frame as sim
+from aftdeck.simulation.readings import quantity
+from aftdeck.simulation.readings.table import named as reading_named
 from aftdeck.station.messages import frame, from_page, kinds, measure, playback, to_page, welcome
 from aftdeck.worksite import report as work
 
@@ -29,6 +32,8 @@ HEADER = """\
 
 MODULES = (kinds, from_page, welcome, frame, to_page, curves, measure, playback)
 """Modules whose structs the page uses."""
+READOUTS = ("clearance", "torque_of_limit")
+"""Readings whose titles and definitions the panel shows."""
 NAMED = (shapes, lamps, quantity, *MODULES, sim, work)
 """Modules whose aliases become types in TypeScript."""
 _NUMBERS = tuple[float, ...]
@@ -75,6 +80,8 @@ class _Writer:
             HEADER,
             f"export const PROTOCOL = {kinds.PROTOCOL};\n",
             "\n".join(named) + "\n",
+            f"export const UNITS = {json.dumps(quantity.UNITS, indent=2)} as const;\n",
+            f"export const READOUTS = {json.dumps(dict(map(_readout, READOUTS)), indent=2)};\n",
             *self.interfaces.values(),
         ]
         return "\n".join(parts)
@@ -125,6 +132,11 @@ class _Writer:
             lines += _comment(_described(apart(declared[field])[1]) or texts.get(field), "  ")
             lines.append(f"  readonly {wire}: {self.name(hints[field])};")
         return "\n".join([*lines, "}", ""])
+
+
+def _readout(name: str) -> tuple[str, dict[str, str]]:
+    reading = reading_named(name)
+    return name, {"title": reading.heading, "about": reading.sentence.rstrip(".")}
 
 
 def _described(meta: msgspec.Meta | None) -> str:

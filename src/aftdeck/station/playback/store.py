@@ -30,7 +30,7 @@ from aftdeck.recording.records import DelayRecord, FrameRecord, LightRecord, Not
 from aftdeck.report.lamps import lit_lamps
 from aftdeck.report.lanes import Lanes
 from aftdeck.report.run_metrics import RunMetrics
-from aftdeck.report.strips import Strips, readings, worst_joint
+from aftdeck.report.strips import Strips, curve_values, worst_joint
 from aftdeck.scenario.light import Lighting
 from aftdeck.simulation.frame import Event
 from aftdeck.station.conversion.frame_of import Displays
@@ -66,7 +66,7 @@ class PlaybackStore:
             try:
                 self._scenario = scenario = scenario_of(recording.opening)
                 self._displays = Displays(scenario)
-                self._readings = readings(scenario)
+                self._values = curve_values(scenario)
                 self._lights: list[tuple[int, Lighting]] = [(0, scenario.lighting)]
                 self._index = self._read(recording)
             except RecordingError:
@@ -159,7 +159,7 @@ class PlaybackStore:
                     raise RecordingError(f"{recording.path}: step {message.tick} has the unknown mode {message.mode!r}")
                 lit = lit_lamps(self._scenario, message, recording.delays)
                 lanes.add(message, lit)
-                strips.add(self._readings(message, message.latency_ms))
+                strips.add(self._values(message, message.latency_ms))
                 metrics.see(message, lit)
                 events += message.events
                 ticks = message.tick
@@ -213,7 +213,7 @@ class PlaybackStore:
         lamps = lit_lamps(self._scenario, record, _at(self._delays, record.tick))
         return Moment(
             self._displays.frame(record, -1, lighting=_at(self._lights, record.tick), lamps=lamps),
-            self._readings(record, record.latency_ms),
+            self._values(record, record.latency_ms),
             worst_joint(record, self._scenario),
         )
 

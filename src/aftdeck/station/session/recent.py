@@ -10,7 +10,7 @@ from typing import NamedTuple
 
 from aftdeck.report.lamps import Lamp
 from aftdeck.report.lanes import Lanes
-from aftdeck.report.strips import blank, readings, worst_joint
+from aftdeck.report.strips import blank, curve_values, worst_joint
 from aftdeck.scenario.model import Scenario
 from aftdeck.simulation.frame import Frame
 from aftdeck.station.messages import to_page
@@ -45,7 +45,7 @@ class RecentRun:
         self._scenario = scenario
         self._every = max(1, round(SPACING_S / period))
         self._ticks_kept = round(KEPT_S / period)
-        self._strips, self._readings = blank(scenario), readings(scenario)
+        self._strips, self._values = blank(scenario), curve_values(scenario)
         self._lanes = Lanes(period)
         self._samples: deque[to_page.Sample] = deque(maxlen=self._ticks_kept // self._every)
         self._count = 0
@@ -65,7 +65,7 @@ class RecentRun:
             if (frame.tick - 1) % self._every:
                 return
             self._lanes.forget(frame.tick - self._ticks_kept)
-            values = self._readings(frame, latency_ms)
+            values = self._values(frame, latency_ms)
             rounded = tuple([None if value is None else round(value, DECIMALS) for value in values])
             self._samples.append(to_page.Sample(frame.time_s, rounded, worst_joint(frame, self._scenario)))
             self._count += 1

@@ -1,6 +1,6 @@
 /** The minimum clearance: its parts, rate of change, and curve over the last minute. Also ARM and FINGER INHIBIT. */
 
-import type { Display, Near } from '../../link/protocol';
+import { type Display, type Near, READOUTS } from '../../link/protocol';
 import { capitalised, small } from '../../words/format';
 import type { Unit, Units } from '../../words/units';
 import { button, el, group, setAttribute, setClass, setLit, setPressed, setText } from '../parts/dom';
@@ -33,7 +33,7 @@ export function clearanceGroup({ welcome }: Desk, plane: () => void): ClearanceG
   const planeKey = button({ class: 'more', 'data-calm': 'plane' }, ['Plane'], plane);
   const element = group(
     'clearance',
-    'Clearance',
+    READOUTS.clearance.title,
     el(
       'div',
       { class: 'reading' },

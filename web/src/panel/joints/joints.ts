@@ -1,6 +1,6 @@
 /** Joint angles between their limits, and joint rates as fractions of their limits. */
 
-import type { Limit } from '../../link/protocol';
+import { type Limit, READOUTS } from '../../link/protocol';
 import { EXAGGERATION } from '../../scene/bending';
 import { degrees } from '../../words/format';
 import { motionWords, TELESCOPE } from '../../words/motion-words';
@@ -64,7 +64,7 @@ export function joints(desk: Desk, bending: () => void): JointsGroup {
           ),
           el('th', { scope: 'col' }, 'deg'),
           el('th', { scope: 'col' }, 'of limit'),
-          ...(loaded ? [el('th', { scope: 'col', title: TORQUE }, 'torque')] : []),
+          ...(loaded ? [el('th', { scope: 'col', title: READOUTS.torque_of_limit.about }, 'torque')] : []),
         ),
       ),
       el('tbody', {}, ...rows.map(({ row }) => row), ...(stand ? [stand.element] : [])),
@@ -112,7 +112,6 @@ export function joints(desk: Desk, bending: () => void): JointsGroup {
 }
 
 const BENDING = 'Draw the bending of the arm larger than it is';
-const TORQUE = 'Torque of motor or brake, as a fraction of its greatest torque';
 
 const SHORT: Readonly<Record<Limit['kind'], string>> = {
   'joint rate': 'rate',

@@ -1,0 +1,12 @@
+"""Documents that define numbers or ask for them."""
+
+PONTILLO = "Pontillo (MIT, 2010)"
+"""T. M. Pontillo, thesis about the performance of operators of a space manipulator."""
+FORMAN = "Forman (MIT, 2011)"
+"""R. E. Forman, thesis about objective metrics for the training of such operators."""
+DISPARITY = "control-to-camera disparity (MIT, 2009)"
+"""Studies at MIT of the angle between control frame and camera: low below 90 deg, high above."""
+REPORT = "Remote Manipulator Simulation, final report"
+"""Source of the task phases."""
+OWN = "Aftdeck"
+"""Source of a number that Aftdeck defines."""
