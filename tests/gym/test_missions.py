@@ -223,4 +223,4 @@ def test_step_before_the_first_reset_is_rejected() -> None:
 @pytest.mark.parametrize("joints", [1, 5, 7, 8])
 def test_observation_has_an_angle_and_a_rate_for_each_joint(joints: int) -> None:
     found = {group.name: group.size for group in observations(joints)}
-    assert found == {group.name: group.size for group in GROUPS} | {"joint angles": joints, "joint rates": joints}
+    assert found == {group.name: group.size for group in GROUPS} | {"angle": joints, "rate": joints}
