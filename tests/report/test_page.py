@@ -83,7 +83,7 @@ def test_the_metrics_are_those_of_the_report_command(tutorial: Path, run_data: G
 
 def test_the_path_is_as_long_as_the_metric(run_data: Gathered) -> None:
     length = float(np.linalg.norm(np.diff(run_data.tip, axis=0), axis=1).sum())
-    (tip_path,) = (value.number for metric, value in run_data.metrics.items() if metric is PATH)
+    tip_path = run_data.metrics[PATH].number
     assert length == pytest.approx(tip_path, rel=0.02)
 
 
@@ -93,7 +93,7 @@ def test_key_moments_are_in_order_and_once(run_data: Gathered) -> None:
     assert titles[0] == "start" and titles[-1] == "end" and "acquired" in titles and "smallest clearance" in titles
     assert ticks == sorted(set(ticks))
     least = next(moment for moment in run_data.moments if moment.title == "smallest clearance").frame.work.nearest
-    clearance = next(value.number for metric, value in run_data.metrics.items() if metric is named("min_clearance_m"))
+    clearance = run_data.metrics[named("min_clearance_m")].number
     assert least is not None and least.clearance == pytest.approx(clearance)
 
 

@@ -66,27 +66,32 @@ class ReadingMetrics:
     """Metrics of a run's readings."""
 
     def __init__(self, scenario: Scenario) -> None:
-        self._kept = [
+        kept = [
             (reading, how.of or reading.of, _reductions(reading, how, scenario))
             for reading in readings_of(scenario)
             for how in reading.metrics
         ]
+        self._reductions = [reduction for _, _, reductions in kept for reduction in reductions]
+        self._gauged = [(of, one[0].see) for reading, of, one in kept if reading.needs == "gauges"]
+        self._single = [
+            (of, one[0].see) for reading, of, one in kept if reading.needs != "gauges" and not reading.parts
+        ]
+        self._of_joints = [(of, reductions) for reading, of, reductions in kept if reading.parts]
 
     def see(self, known: Known) -> None:
         """Add the next step."""
-        for reading, of, reductions in self._kept:
-            if reading.needs == "gauges" and known.gauges is None:
-                continue
-            if not reading.parts:
-                reductions[0].see(of(known), known)
-                continue
+        for of, see in self._single:
+            see(of(known), known)
+        for of, reductions in self._of_joints:
             for reduction, value in zip(reductions, of(known), strict=True):
                 reduction.see(value, known)
+        if known.gauges is not None:
+            for of, see in self._gauged:
+                see(of(known), known)
 
     def found(self) -> Iterator[Found]:
         """Yield the metrics for which there were values."""
-        for _, _, reductions in self._kept:
-            yield from filter(None, [reduction.found() for reduction in reductions])
+        return filter(None, [reduction.found() for reduction in self._reductions])
 
 
 def _reductions(reading: Reading, how: Recorded, scenario: Scenario) -> list[Reduction]:

@@ -27,10 +27,15 @@ The drawn curve then has about two values for each pixel of the strip's width.
 
 
 class Source(NamedTuple):
-    """Strip without values, and the functions that read the values of its curves."""
+    """Strip without values, and where the values of its curves come from.
+
+    Attributes:
+        blank: the strip.
+        curves: function that returns the value of each curve, and the number of the part; None if it has no parts.
+    """
 
     blank: Strip
-    curves: tuple[Value, ...]
+    curves: tuple[tuple[Value, int | None], ...]
 
 
 def sources(scenario: Scenario) -> tuple[Source, ...]:
@@ -50,21 +55,19 @@ def _sources(reading: Reading, scenario: Scenario) -> Iterator[Source]:
     for k, part in enumerate(parts or ("",)):
         name = reading.heading.format(part=part)
         blank = Strip(name, reading.quantity, blanks, 0.0, 0.0, *bounds, strip.shown, strip.rests)
-        yield Source(blank, tuple(_part(of, k) if parts else of for _, of in curves))
-
-
-def _part(of: Value, k: int) -> Value:
-    """Return the function that returns the value of a part."""
-    return lambda s: of(s)[k]
+        yield Source(blank, tuple((of, k if parts else None) for _, of in curves))
 
 
 def curve_values(scenario: Scenario) -> Callable[[Frame, float | None], tuple[float | None, ...]]:
     """Return a function that returns the values of all curves, strip by strip, for a frame and its latency [ms]."""
-    curves = [of for source in sources(scenario) for of in source.curves]
+    curves = [curve for source in sources(scenario) for curve in source.curves]
+    functions = list(dict.fromkeys(of for of, _ in curves))
+    places = [(functions.index(of), part) for of, part in curves]
 
     def values(frame: Frame, latency_ms: float | None) -> tuple[float | None, ...]:
         known = Known(frame, scenario, latency_ms=latency_ms)
-        return tuple([of(known) for of in curves])
+        found = [of(known) for of in functions]
+        return tuple([found[k] if part is None else found[k][part] for k, part in places])
 
     return values
 
