@@ -8,17 +8,27 @@ from __future__ import annotations
 
 import functools
 import tomllib
+from pathlib import Path
 from typing import Any
 
 from aftdeck.kinematics.arm import Arm, load_arm
 from aftdeck.scenario.load import about, built_in, load_scenario
 from aftdeck.scenario.model import Scenario
 
+CHAINS = Path(__file__).parent / "arms" / "chains"
+"""Arms without a closed form, one file for each, and flights of them."""
+
 
 @functools.cache
 def arm(name: str = "srms") -> Arm:
     """Return a built-in arm."""
     return load_arm(name)
+
+
+@functools.cache
+def chain(name: str) -> Arm:
+    """Return an arm of tests/arms/chains, which has no closed form."""
+    return load_arm(CHAINS / f"{name}.toml")
 
 
 @functools.cache

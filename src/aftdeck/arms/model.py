@@ -310,7 +310,7 @@ class ChainArmFile(Part, frozen=True, kw_only=True, tag_field="family", tag="cha
     """Angle about axis 1 from the tip's axes to the end effector's own axes; 0 without it."""
     singular: Constant[Threshold]
     """Distance from a singularity below which the SINGULAR lamp lights."""
-    turning: Annotated[float, Bounds(1e-3, 1e3, "a motion that counts 1000 times as much as another is exact")] = 0.1
+    turning: Annotated[float, Bounds(1e-3, 1e3, "a motion that counts 1000 times as much as another is exact")] = 0.03
     """Weight of a rotation [rad], in comparison with a translation divided by `chain.SCALE`, in what a chain follows
     that cannot make every motion."""
     por: Annotated[tuple[PorRow, ...], msgspec.Meta(min_length=1)]
