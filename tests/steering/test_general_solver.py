@@ -16,6 +16,7 @@ from aftdeck.kinematics.arm import Arm
 from aftdeck.kinematics.freeing import joint_out
 from aftdeck.kinematics.jacobian import Twist, of_array
 from aftdeck.kinematics.solver import closing, distance, posture, rates_of, tip_at, tip_of, twist_of
+from aftdeck.steering.batch import steer_batch
 from aftdeck.steering.layout import (
     ANGLES,
     COMMAND,
@@ -162,3 +163,25 @@ def test_five_joints_follow_the_translation_first() -> None:
         assert moving < 0.03 * turning
         tried += 1
     assert tried > 50
+
+
+@pytest.mark.parametrize("name", ["srms", "concept-1972"])
+def test_batch_of_chains_is_that_of_the_closed_form(name: str) -> None:
+    arm, rng = loaded.arm(name), np.random.default_rng(6)
+    poses = clear(arm, 60)
+    goal = arm.forward(poses + rng.uniform(-0.05, 0.05, poses.shape))
+    closed, chained = (
+        steer_batch(one, poses, goal, steps=20, period=0.08, gain=1.0) for one in (arm, Arm(as_chain(arm.model)))
+    )
+    for found, expected in zip(chained, closed, strict=True):
+        assert found == pytest.approx(expected, abs=1e-9)
+
+
+def test_batch_of_an_arm_with_seven_joints_reaches_its_targets() -> None:
+    arm, rng = loaded.chain("seven"), np.random.default_rng(7)
+    low, high = arm.limits.reach.T
+    poses = rng.uniform(0.4 * low, 0.4 * high, (300, 7))
+    poses = poses[np.array(arm.singularities(poses))[0] > FAR]
+    goal = arm.forward(poses + rng.uniform(-0.05, 0.05, poses.shape))
+    found = steer_batch(arm, poses, goal, steps=600, period=0.08, gain=1.0)
+    assert len(poses) > 50 and np.abs(found.position_error).max() < 1e-6 and np.abs(found.rotation_error).max() < 1e-6

@@ -17,6 +17,7 @@ from aftdeck.bodies.cameras import Camera
 from aftdeck.errors import ScenarioError
 from aftdeck.files import Problem, Text, parse, sentences
 from aftdeck.shapes import Box, Cylinder, Shape, without_lamps
+from aftdeck.tuples import plain_vector
 
 
 class ArmShapes(NamedTuple):
@@ -94,16 +95,11 @@ def _as_covered(file: ChainArmFile, frames: tuple[str, ...]) -> dict[str, tuple[
 
 def _shape(body: BoxBody | PrismBody) -> Shape:
     """Return a collision body as a shape to draw; a cylinder for a prism, which encloses it."""
+    at, rotation = plain_vector(body.position), plain_vector(body.rotation)
     if isinstance(body, BoxBody):
-        return Box(material="padding", position=body.position, rotation=body.rotation, size=body.size)
-    return Cylinder(
-        material="boom",
-        position=body.position,
-        rotation=body.rotation,
-        axis=body.axis,
-        length=body.length,
-        radius=body.radius,
-    )
+        return Box(material="padding", position=at, rotation=rotation, size=plain_vector(body.size))
+    length, radius = float(body.length), float(body.radius)
+    return Cylinder(material="boom", position=at, rotation=rotation, axis=body.axis, length=length, radius=radius)
 
 
 def _box(block: Block) -> Box:

@@ -16,12 +16,15 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike
 
+from aftdeck.arms.geometry import GENERAL
 from aftdeck.arrays import Array, floats_of
 from aftdeck.errors import InputError
 from aftdeck.frames import Pose
 from aftdeck.kinematics.arm import Arm
+from aftdeck.kinematics.linkage import WRIST
 from aftdeck.plain_values import number
 from aftdeck.steering.blocks import FIELDS, LANES, LEFT, TARGET, WORK, steer_blocks
+from aftdeck.steering.chain_batch import steer_chains
 from aftdeck.units import short
 
 _ROUNDING_MARGIN = 1.0 + 1e-15
@@ -41,7 +44,7 @@ class Steered(NamedTuple):
     """State of the arms after the last step, and the remaining errors to their targets.
 
     Attributes:
-        angles: (..., 6) joint angles [rad].
+        angles: (..., n) joint angles [rad].
         position_error: (..., 3) target position minus tip position, in L [m].
         rotation_error: (..., 3) axis of the remaining rotation times the sine of its angle, in L [1].
     """
@@ -52,7 +55,7 @@ class Steered(NamedTuple):
 
 
 def pace_of(arm: Arm, period: float, gain: float) -> Array:
-    """Return an array (8,): control period, gain, and the reciprocal of each joint's rate limit (servo maximum).
+    """Return an array (2 + n,): control period, gain, and the reciprocal of each joint's rate limit (servo maximum).
 
     Raises:
         InputError: with this period or gain the arm would not move, or would move past the target.
@@ -77,7 +80,7 @@ def steer_batch(
 
     Args:
         arm: the arm; `angles` contains many states of this arm.
-        angles: (..., 6) joint angles [rad].
+        angles: (..., n) joint angles [rad].
         targets: tip poses in L, one for each arm or one for all arms. Either a Pose, or an array (..., 12) of positions
             [m], each followed by the rotation row by row.
         steps: number of control steps.
@@ -91,10 +94,14 @@ def steer_batch(
     """
     pace = pace_of(arm, period, gain)
     count_of_steps = _steps(steps)
-    start = _finite(angles, "joint angles", 6)
+    start = _finite(angles, "joint angles", len(arm.joints))
     lead = start.shape[:-1]
     goal = _targets(targets, lead)
-    count = start.size // 6
+    count = start.size // start.shape[-1]
+    if arm.model.links[WRIST] == GENERAL:
+        end, left = np.array(start.reshape(count, -1)), np.empty((count, 6))
+        steer_chains(arm.model.links, pace, end, np.ascontiguousarray(goal.reshape(count, 12)), left, count_of_steps)
+        return Steered(end.reshape(start.shape), left[:, 3:].reshape(*lead, 3), left[:, :3].reshape(*lead, 3))
     blocks = _aligned(-(-count // LANES) * FIELDS * LANES).reshape(-1, FIELDS, LANES)
     _scatter(blocks[:, :TARGET], start.reshape(count, 6))
     _scatter(blocks[:, TARGET:LEFT], goal.reshape(count, 12))

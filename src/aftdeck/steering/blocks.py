@@ -18,7 +18,7 @@ from aftdeck.kinematics.linkage import Floats, Nine, Sines, Three, axes, link_an
 from aftdeck.kinematics.rates import per_distance, resolved, rmsrat
 from aftdeck.law import fused, law
 from aftdeck.steering.msteer import NEAR_FLOOR
-from aftdeck.tuples import Six
+from aftdeck.tuples import Joints, Six
 
 LANES = 40
 """Number of arms in a block.
@@ -65,7 +65,7 @@ def remaining_distance(t: Three, target: Floats) -> Three:
 
 
 @law
-def angles_after_step(pace: Floats, r: Rates, q: Floats) -> Six:
+def angles_after_step(pace: Floats, r: Rates, q: Floats) -> Joints:
     """Return the joint angles [rad] after one control period at the demanded rates, reduced by RATLMT.
 
     `r` holds the joint rates for a twist equal to the remaining error. The demanded twist is gain times this error. The
@@ -79,7 +79,7 @@ def angles_after_step(pace: Floats, r: Rates, q: Floats) -> Six:
 
 @law
 def steer_one(arm: Array, pace: Array, angles: Array, target: Array) -> None:
-    """Make one step of one arm towards a target (12,); the angles (6,) [rad] are changed in place."""
+    """Make one step of one arm towards a target (12,); the joint angles [rad] are changed in place."""
     a = sines(arm, angles[0], angles[1], angles[2], angles[3], angles[4], angles[5])
     wx, wy, wz = remaining_rotation(axes(arm, a), target)
     vx, vy, vz = remaining_distance(place(arm, a), target)

@@ -1,13 +1,14 @@
-"""Rate law for callers in Python: RMSRAT and RATLMT in one call with twelve input and six output numbers."""
+"""Rate law for callers in Python: RMSRAT and RATLMT in one call with arrays."""
 
 from __future__ import annotations
 
 from aftdeck.arrays import Array
-from aftdeck.kinematics.jacobian import Twist, of_six
+from aftdeck.kinematics.jacobian import of_array
 from aftdeck.kinematics.rates import FLOOR
 from aftdeck.kinematics.solver import posture, rates_of
 from aftdeck.law import law
 from aftdeck.steering.layout import RATE
+from aftdeck.steering.views import twist_at
 
 
 @law
@@ -16,14 +17,15 @@ def limited_rates(rules: Array, numbers: Array, out: Array) -> None:
 
     Args:
         rules: rules of a mode, as `steering.rules` returns them.
-        numbers: (12,) six joint angles [rad], then the tip's twist in L [rad/s], [m/s].
-        out: (6,) receives the joint rates [rad/s].
+        numbers: (n + 6,) joint angles [rad], then the tip's twist in L [rad/s], [m/s].
+        out: (n,) receives the joint rates [rad/s].
     """
-    a = posture(rules, of_six(numbers[0], numbers[1], numbers[2], numbers[3], numbers[4], numbers[5]))
-    twist = Twist(numbers[6], numbers[7], numbers[8], numbers[9], numbers[10], numbers[11])
+    n = out.shape[0]
+    a = posture(rules, of_array(numbers[:n]))
+    twist = twist_at(numbers, n)
     rates = rates_of(rules, a, twist, FLOOR)
     ratio = 1.0
-    for i in range(6):
+    for i in range(n):
         ratio = min(ratio, rules[RATE + i] / max(abs(rates[i]), rules[RATE + i]))
-    for i in range(6):
+    for i in range(n):
         out[i] = ratio * rates[i]

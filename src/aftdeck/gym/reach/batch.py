@@ -40,12 +40,12 @@ from aftdeck.gym.reach.layout import (
     TASK,
     WORK,
 )
+from aftdeck.gym.reach.stick_blocks import JOINT_ANGLES
 from aftdeck.gym.terms import Floats32
 from aftdeck.kinematics.arm import Arm, load_arm
 from aftdeck.steering.blocks import LANES
 from aftdeck.steering.layout import SPEED, STATE, TURN
 from aftdeck.steering.rules import rules_of
-from aftdeck.steering.stick_blocks import JOINT_ANGLES
 
 UNLIMITED = 2**53
 """Number of steps that no episode reaches."""

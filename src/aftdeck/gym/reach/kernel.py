@@ -39,11 +39,7 @@ from aftdeck.gym.reach.layout import (
     SUCCESS,
 )
 from aftdeck.gym.reach.observe import normalise, normalise_lane, observe, observe_lane, put_observation
-from aftdeck.gym.terms import Floats32
-from aftdeck.kinematics.linkage import Floats, sines, tip
-from aftdeck.law import law
-from aftdeck.steering.blocks import LANES, put_six
-from aftdeck.steering.stick_blocks import (
+from aftdeck.gym.reach.stick_blocks import (
     DEFLECTIONS,
     JOINT_ANGLES,
     JOINT_RATES,
@@ -51,6 +47,10 @@ from aftdeck.steering.stick_blocks import (
     sines_at_angles,
     steer_by_sticks,
 )
+from aftdeck.gym.terms import Floats32
+from aftdeck.kinematics.linkage import Floats, sines, tip
+from aftdeck.law import law
+from aftdeck.steering.blocks import LANES, put_six
 from aftdeck.tuples import Six
 
 Flags = NDArray[np.bool_]

@@ -1,12 +1,12 @@
 """Indices of the values in the arrays of Reach's compiled functions.
 
 A block holds `LANES` environments, row by row (`steering/blocks.py`); its first rows are those of
-`steering/stick_blocks.py`. Vectors are in L unless another frame is named.
+`gym/reach/stick_blocks.py`. Vectors are in L unless another frame is named.
 """
 
 from __future__ import annotations
 
-from aftdeck.steering.stick_blocks import DEMANDED, STICK_ROWS, STICK_WORK
+from aftdeck.gym.reach.stick_blocks import DEMANDED, STICK_ROWS, STICK_WORK
 
 # rows of a block
 GOAL = STICK_ROWS

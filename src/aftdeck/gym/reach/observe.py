@@ -6,13 +6,13 @@ import math
 
 from aftdeck.arrays import Array
 from aftdeck.gym.reach.layout import GOAL, MIDDLE, OBSERVATIONS, OBSERVED, REACHED, REWARD, SCALE
+from aftdeck.gym.reach.stick_blocks import JOINT_ANGLES, JOINT_RATES
 from aftdeck.gym.terms import Floats32
 from aftdeck.kinematics.jacobian import erates, jacobi, of_six
 from aftdeck.kinematics.linkage import Floats, Sines, axes, place
 from aftdeck.law import law
 from aftdeck.steering.blocks import LANES, put_six, remaining_distance, remaining_rotation, sines_in, six
 from aftdeck.steering.layout import MOUNT
-from aftdeck.steering.stick_blocks import JOINT_ANGLES, JOINT_RATES
 from aftdeck.tuples import Six, Vec3
 
 _LEAST_COSINE = 1e-6

@@ -1,7 +1,7 @@
 """Mode 4 (ORB UNL) on the kinematic plant, for blocks of arms without a payload: one control step from the sticks.
 
 Every arm gets the joint rates that `msteer` commands and the angles that the kinematic plant then has, bit for bit
-(`tests/steering/test_stick_blocks.py`). `msteer` needs 0.7 us for an arm; a block needs 0.05 us for each. A step makes
+(`tests/gym/test_stick_blocks.py`). `msteer` needs 0.7 us for an arm; a block needs 0.05 us for each. A step makes
 several passes over a block (`steering/blocks.py`), in which one instruction of the processor handles several arms.
 
 Preconditions: a pitch-yaw-roll wrist; rules with GUARDED and without STRICT and AS_FLOWN; joints inside their hard

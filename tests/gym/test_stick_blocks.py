@@ -8,12 +8,12 @@ import numpy as np
 import pytest
 
 from aftdeck.arrays import Array
+from aftdeck.gym.reach.stick_blocks import DEFLECTIONS, STICK_ROWS, STICK_WORK, steer_by_sticks
 from aftdeck.plant.kinematic import follow
 from aftdeck.steering.blocks import LANES
 from aftdeck.steering.layout import COMMAND, LAW, RATES, REPORT, STATE, STICKS
 from aftdeck.steering.msteer import measured, msteer
 from aftdeck.steering.rules import rules_of
-from aftdeck.steering.stick_blocks import DEFLECTIONS, STICK_ROWS, STICK_WORK, steer_by_sticks
 from tests import loaded
 from tests.steering.flying import BAY
 
