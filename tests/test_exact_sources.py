@@ -39,6 +39,7 @@ EXEMPT = {
     "scenario/poses.py": "decides whether a rotation is accepted",
     "simulation/constants/multibody.py": "makes the models of MuJoCo",
     "simulation/inputs.py": "decides whether a target is accepted",
+    "simulation/readings": "numbers that are shown; no frame depends on them",
     "simulation/survey": "prints cautions; no frame depends on it",
     "shapes.py": "its only sum counts shapes",
     "worksite/file/check.py": "decides whether a file is accepted",
