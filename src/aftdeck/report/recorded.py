@@ -33,6 +33,7 @@ def metrics_of(reading: Reading, how: Recorded, joints: int = MOST_JOINTS) -> tu
     sentence = sentence[0].upper() + sentence[1:]
     source, quantity = reading.source, how.quantity or _QUANTITIES.get(how.by, reading.quantity)
     if reading.parts != "joints":
+        assert not reading.parts, f"{reading.name}: a metric of one number, or of one for each joint"
         return (Metric(how.name, how.title, quantity, sentence, source),)
     return tuple(
         Metric(f"{how.name}_joint_{k}", f"{how.title}, joint {k}", quantity, sentence.replace("{k}", str(k)), source)

@@ -236,8 +236,7 @@ class Dynamics(msgspec.Struct, frozen=True, gc=False):
         Joints, field_meta("torque of motor or brake about each joint, at the end of the step", "N m", decimals=3)
     ]
     overdriven: Annotated[
-        tuple[int, ...],
-        field_meta("joints, from 0, that turn against a motor or brake at its greatest torque"),
+        tuple[int, ...], field_meta("joints, from 0, that turn against a motor or brake at its greatest torque")
     ]
     orbiter: Annotated[Placed, field_meta("pose of L, relative to its pose at the start of the run", "m, 1", "L")]
     fired: Annotated[
@@ -253,28 +252,16 @@ class Frame(msgspec.Struct, frozen=True, gc=False):
     """State after a control step, with the inputs and limits that acted. The tip is coordinate frame 7."""
 
     tick: Annotated[int, field_meta("number of control steps done")]
-    time_s: Annotated[
-        float,
-        field_meta("simulated time: tick x control period", "s"),
-    ]
+    time_s: Annotated[float, field_meta("simulated time: tick x control period", "s")]
     phase: Annotated[str, field_meta("name of the script's phase; empty with manual inputs")]
-    by: Annotated[
-        Literal["hand", "script"],
-        field_meta("source of this step's inputs"),
-    ]
+    by: Annotated[Literal["hand", "script"], field_meta("source of this step's inputs")]
     mode: Annotated[str, field_meta("mode: selected panel position")]
-    law: Annotated[
-        int,
-        field_meta("number of the steering law: 1 to 8 as in the report, 0 TEST, 9 DIRECT, 10 MASTER"),
-    ]
+    law: Annotated[int, field_meta("number of the steering law: 1 to 8 as in the report, 0 TEST, 9 DIRECT, 10 MASTER")]
     law_choice: Annotated[
         Literal["position", "closed loop", "open loop"],
         field_meta("position of the switch that selects the steering law of OPR CMD and AUTO 1-4"),
     ]
-    payload_axes: Annotated[
-        bool,
-        field_meta("whether the switch beside ORB LD selects rotation about payload axes"),
-    ]
+    payload_axes: Annotated[bool, field_meta("whether the switch beside ORB LD selects rotation about payload axes")]
     rate_hold: Annotated[bool, field_meta("whether RATE HOLD keeps a stick command")]
     position_hold: Annotated[bool, field_meta("whether POSITION HOLD is on")]
     brakes: Annotated[bool, field_meta("whether BRAKES are on")]
@@ -282,12 +269,7 @@ class Frame(msgspec.Struct, frozen=True, gc=False):
     joint: Annotated[int, field_meta("selected joint, from 0")]
     rate: Annotated[Literal["coarse", "vernier"], field_meta("rate setting")]
     sequence: Annotated[Sequence, field_meta("state of an automatic mode; `checking` while CMD CK runs")]
-    point: Annotated[
-        int,
-        field_meta(
-            "AUTO 1-4: number of the present or next point, from 1; 0 in other modes",
-        ),
-    ]
+    point: Annotated[int, field_meta("AUTO 1-4: number of the present or next point, from 1; 0 in other modes")]
     points: Annotated[int, field_meta("AUTO 1-4: total number of points; 0 in other modes")]
     check: Annotated[Check | None, field_meta("result of CMD CK for the present target; null if there is none")]
     translation: Annotated[Vec3, field_meta("THC deflection that acted, in [-1, 1]", "1", "control", 7)]
@@ -300,9 +282,7 @@ class Frame(msgspec.Struct, frozen=True, gc=False):
     rate_limits: Annotated[Joints, field_meta("joint rate limits in force", "rad/s")]
     zones: Annotated[
         tuple[int, ...],
-        field_meta(
-            "for each joint: 0 free, 1 beyond the reach limit, 2 beyond the soft stop, 3 at the hard stop",
-        ),
+        field_meta("for each joint: 0 free, 1 beyond the reach limit, 2 beyond the soft stop, 3 at the hard stop"),
     ]
     position: Annotated[Vec3, field_meta("position of the tip", "m", "L")]
     orientation: Annotated[Rows, field_meta("attitude of frame 7", "1", "L")]
@@ -323,7 +303,7 @@ class Frame(msgspec.Struct, frozen=True, gc=False):
         int,
         field_meta(
             "if the payload in the grasp is one of `Scenario.own_payloads`, its number, from 1; 0 for any other "
-            "payload, and for an empty grasp",
+            "payload, and for an empty grasp"
         ),
     ]
     twist: Annotated[Six, field_meta("angular velocity, and velocity of the point of resolution", "rad/s, m/s", "L", 7)]
@@ -346,17 +326,11 @@ class Frame(msgspec.Struct, frozen=True, gc=False):
         tuple[WayOut, ...],
         field_meta(
             "escape direction from each singularity in `singular` and each joint beyond a limit; while a contact "
-            "inhibits the arm, only the escape direction from the contact",
+            "inhibits the arm, only the escape direction from the contact"
         ),
     ]
-    goal: Annotated[
-        Goal | None,
-        field_meta("target of an automatic mode; null if there is none"),
-    ]
-    times: Annotated[
-        Times,
-        field_meta("TP, ETA and ETAP"),
-    ]
+    goal: Annotated[Goal | None, field_meta("target of an automatic mode; null if there is none")]
+    times: Annotated[Times, field_meta("TP, ETA and ETAP")]
     work: Annotated[Work, field_meta("state of the worksite: contacts, captures and payloads")]
     events: Annotated[tuple[Event, ...], field_meta("events of this step")]
     views: Annotated[
@@ -368,14 +342,8 @@ class Frame(msgspec.Struct, frozen=True, gc=False):
     ]
     sha256: Annotated[str, field_meta("SHA-256 of the exact state")]
     dynamics: Annotated[
-        Dynamics | None,
-        field_meta(
-            "motion of the bodies; null on the kinematic plant, where the encoders show it",
-        ),
+        Dynamics | None, field_meta("motion of the bodies; null on the kinematic plant, where the encoders show it")
     ] = None
     motions: Annotated[
-        tuple[Motion, ...],
-        field_meta(
-            "mechanisms in motion: latches, snares, carriage, prong, telescope",
-        ),
+        tuple[Motion, ...], field_meta("mechanisms in motion: latches, snares, carriage, prong, telescope")
     ] = ()
