@@ -21,7 +21,7 @@ _NEXT: dict[Reducer, Callable[[float, float, float, float], float]] = {
 }
 """Function of each reducer: the new total from the old one, the value, the value before, and the control period [s]."""
 _SETTLED = ("greatest", "least", "last", "begun")
-"""Reducers whose total does not change if a value is repeated."""
+"""Reducers whose total does not change if a value is repeated; that of the others does not change by a zero."""
 
 
 class Reduction:
@@ -41,12 +41,16 @@ class Reduction:
         self._count = 0
         self._before: float | None = None
         self._settled = how.by in _SETTLED and how.level is None
+        self._adds = how.by not in _SETTLED and how.level is None
         self._at: Known | None = None  # step that decided the total
         self._level: Level = "info"
 
     def see(self, value: float | None, known: Known) -> None:
         """Add the value in the next step; None for no value."""
         if value is None or (self._settled and value == self._before):
+            return
+        if not value and self._adds and self._at is not None:
+            self._count += 1
             return
         total = self._next(self._total, value, value if self._before is None else self._before, self._period_s)
         if total != self._total or self._at is None:
