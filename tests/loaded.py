@@ -15,7 +15,7 @@ from aftdeck.kinematics.arm import Arm, load_arm
 from aftdeck.scenario.load import about, built_in, load_scenario
 from aftdeck.scenario.model import Scenario
 
-CHAINS = Path(__file__).parent / "arms" / "chains"
+CHAINS = Path(__file__).parent.parent / "examples" / "arms"
 """Arms without a closed form, one file for each, and flights of them."""
 
 
@@ -27,7 +27,7 @@ def arm(name: str = "srms") -> Arm:
 
 @functools.cache
 def chain(name: str) -> Arm:
-    """Return an arm of tests/arms/chains, which has no closed form."""
+    """Return an arm of examples/arms, which has no closed form."""
     return load_arm(CHAINS / f"{name}.toml")
 
 

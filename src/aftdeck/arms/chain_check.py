@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from aftdeck.arms.geometry import FOOT, PRONG, STAND
-from aftdeck.arms.joints import JointFile
+from aftdeck.arms.joints import JointFile, Slide
 from aftdeck.arms.limits import limit_problems, limits_of, rates_of
 from aftdeck.arms.model import ChainArmFile
 from aftdeck.files import Problem
@@ -42,6 +42,8 @@ def joint_problems(file: ChainArmFile) -> list[Problem]:
 
 def _of_joint(joint: JointFile) -> Iterator[tuple[tuple[str, ...], str]]:
     """Yield what is wrong with one joint, and where in its table."""
+    if isinstance(joint, Slide):
+        yield ("kind",), f"{joint.name}: got slide, expected turn; lists of joints have no lengths yet, only angles"
     if length(joint.axis) < SHORTEST:
         yield ("axis",), f"expected the direction of an axis, got {', '.join(f'{part:g}' for part in joint.axis)}"
     if joint.link is None:

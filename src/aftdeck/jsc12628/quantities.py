@@ -7,12 +7,11 @@ from typing import Literal
 import numpy as np
 from numpy.typing import ArrayLike
 
-from aftdeck.arms.geometry import GENERAL
 from aftdeck.arrays import Array
 from aftdeck.errors import InputError
 from aftdeck.kinematics import solutions
 from aftdeck.kinematics.arm import Arm
-from aftdeck.kinematics.linkage import WRIST, Tip
+from aftdeck.kinematics.linkage import Tip
 from aftdeck.matrices import product, reflects
 from aftdeck.steering.layout import JOINTS, MOST_UP, RULES, SPEED, SPEED_UP, STRICT, TURN, TURN_UP
 from aftdeck.tuples import MOST_JOINTS
@@ -99,13 +98,12 @@ def published_links(arm: Arm) -> Array:
     Raises:
         InputError: the arm has another chain of joints.
     """
-    links = arm.model.links
-    if links[WRIST] == GENERAL:
+    if not arm.closed_form:
         raise InputError(
             f"{arm.name}: the subroutines of JSC-12628 are written for six joints with one of two wrists, "
             "pitch-yaw-roll or heading-pitch-roll; this arm has another chain"
         )
-    return links
+    return arm.model.links
 
 
 def strict_rules() -> Array:

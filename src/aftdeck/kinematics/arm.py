@@ -50,6 +50,11 @@ class Arm:
         self.stand = model.stand
         self._solver = solver_of(model)
 
+    @property
+    def closed_form(self) -> bool:
+        """Whether the arm has a closed form, for which the report's laws are written."""
+        return isinstance(self._solver, ClosedForm)
+
     def __repr__(self) -> str:
         """Return text such as ``Arm('srms')``."""
         return f"Arm({self.name!r})"

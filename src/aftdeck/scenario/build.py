@@ -65,6 +65,9 @@ def build(
     arm = limited_arm(problems, spec.arm, spec.limits, sources)
     if arm is None:
         return None
+    if spec.strict and not arm.closed_form:
+        what = f"flies the laws as published, which are closed forms; {arm.name} has a chain of joints without one"
+        problems.add(("strict",), what)
     worksite = _worksite(problems, spec, sources)
     payload = held_payload(problems, spec.payload)
     check_por(problems, spec.limits.por, por_with(arm.model, payload.mass if payload else 0.0, spec.limits.por))

@@ -16,12 +16,10 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike
 
-from aftdeck.arms.geometry import GENERAL
 from aftdeck.arrays import Array, floats_of
 from aftdeck.errors import InputError
 from aftdeck.frames import Pose
 from aftdeck.kinematics.arm import Arm
-from aftdeck.kinematics.linkage import WRIST
 from aftdeck.plain_values import number
 from aftdeck.steering.blocks import FIELDS, LANES, LEFT, TARGET, WORK, steer_blocks
 from aftdeck.steering.chain_batch import steer_chains
@@ -98,7 +96,7 @@ def steer_batch(
     lead = start.shape[:-1]
     goal = _targets(targets, lead)
     count = start.size // start.shape[-1]
-    if arm.model.links[WRIST] == GENERAL:
+    if not arm.closed_form:
         end, left = np.array(start.reshape(count, -1)), np.empty((count, 6))
         steer_chains(arm.model.links, pace, end, np.ascontiguousarray(goal.reshape(count, 12)), left, count_of_steps)
         return Steered(end.reshape(start.shape), left[:, 3:].reshape(*lead, 3), left[:, :3].reshape(*lead, 3))
