@@ -48,7 +48,7 @@ class Arm:
         self.rates: JointRates = model.rates
         self.rate_limits: Array = model.rates.servo
         self.stand = model.stand
-        self._solver = solver_of(model)
+        self._solver, self._count = solver_of(model), len(model.joints)
 
     @property
     def closed_form(self) -> bool:
@@ -99,10 +99,10 @@ class Arm:
             one column for each joint.
         """
         rows, shape = self._rows(angles)
-        matrix = np.empty((len(rows), 6, rows.shape[1]))
+        matrix = np.empty((len(rows), 6, self._count))
         if not self._solver.jacobian(rows, matrix):
             raise not_finite("joint angles", rows)
-        return matrix.reshape(*shape, *matrix.shape[1:])
+        return matrix.reshape(*shape, 6, self._count)
 
     def joint_rates(
         self, angles: ArrayLike, twist: ArrayLike, *, singular: Literal["raise", "mask"] = "raise"
@@ -123,7 +123,7 @@ class Arm:
         """
         if cast("object", type(singular)) is not str or singular not in ("raise", "mask"):
             raise InputError(f"singular: expected 'raise' or 'mask', got {short(singular)}")
-        q, t = _last(angles, len(self.joints), "joint angles"), _last(twist, 6, "a twist")
+        q, t = _last(angles, self._count, "joint angles"), _last(twist, 6, "a twist")
         shape = q.shape[:-1]
         if shape != t.shape[:-1]:
             try:
@@ -136,10 +136,10 @@ class Arm:
         if not self._solver.rates(rows, twists, rates, mask):
             raise not_finite("joint angles", rows) if not finite(rows.ravel()) else not_finite("a twist", twists)
         if singular == "mask":
-            return rates.reshape(*shape, rows.shape[1]), mask.reshape(shape)
+            return rates.reshape(*shape, self._count), mask.reshape(shape)
         if mask.any():
             raise self._singularity(rows[int(mask.argmax())])
-        return rates.reshape(*shape, rows.shape[1])
+        return rates.reshape(*shape, self._count)
 
     def singularities(self, angles: ArrayLike) -> Singularities | Any:
         """Return the signed, normalised distances from the arm's singularities.
@@ -152,10 +152,10 @@ class Arm:
             only `rank`, in [0, 1]: how near the arm is to losing a direction in which it moves its tip.
         """
         rows, shape = self._rows(angles)
-        result = np.empty((len(self.model.singularities), len(rows)))
-        if not self._solver.distances(rows, result):
+        found = self._solver.distances(rows, shape)
+        if found is None:
             raise not_finite("joint angles", rows)
-        return self._solver.named(*(one.reshape(shape) for one in result))
+        return found
 
     def inverse(self, pose: Pose, near: ArrayLike | None = None, limits: bool = True) -> Array:
         """Return all sets of joint angles that put the tip at a pose (JSC-12628, subroutine RMANGS).
@@ -179,7 +179,7 @@ class Arm:
                 `excess` is the smallest of all branches: distance by which the wrist is out of reach [m], or angle
                 beyond a hard stop [rad].
         """
-        packed, count = _packed(pose), len(self.joints)
+        packed, count = _packed(pose), self._count
         # a copy, so that the law gets the same array type in every call
         reference = np.zeros(count) if near is None else np.array(floats_of(near, "near"))
         if reference.shape != (count,):
@@ -233,7 +233,7 @@ class Arm:
 
     def _rows(self, angles: ArrayLike) -> tuple[Array, tuple[int, ...]]:
         """Return the contiguous rows (m, n) of joint angles (..., n), and the leading dimensions."""
-        array = _last(angles, len(self.joints), "joint angles")
+        array = _last(angles, self._count, "joint angles")
         return _flat(array), array.shape[:-1]
 
     def _singularity(self, angles: Array) -> SingularityError:

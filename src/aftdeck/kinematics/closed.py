@@ -22,10 +22,8 @@ from aftdeck.kinematics.solutions import FOUND, Solved, pose_error, solve
 class ClosedForm:
     """Solver of an arm with six joints whose wrist has a closed form; `Arm` describes what its methods return.
 
-    Each method writes its results into the given array, and returns whether all given numbers are finite.
+    A method with an array for its results writes them into it, and returns whether all given numbers are finite.
     """
-
-    named = Singularities
 
     def __init__(self, model: ArmModel) -> None:
         self._model, self._links = model, model.links
@@ -42,9 +40,13 @@ class ClosedForm:
         """Compute joint rates, and whether each pose is singular."""
         return rates_many(self._links, rows, twists, rates, singular)
 
-    def distances(self, rows: Array, result: Array) -> bool:
-        """Compute the distances from the singularities."""
-        return distances_many(self._links, rows, result)
+    def distances(self, rows: Array, shape: tuple[int, ...]) -> Singularities | None:
+        """Return the distances from the singularities; None if an angle is not finite."""
+        result = np.empty((3, len(rows)))
+        if not distances_many(self._links, rows, result):
+            return None
+        found = result.reshape(3, *shape)
+        return Singularities(found[0, ...], found[1, ...], found[2, ...])
 
     def solve(self, pose: Array, near: Array, turned: bool, limited: bool) -> Array:
         """Return the joint angles for a pose (12,)."""

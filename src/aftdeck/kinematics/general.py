@@ -37,8 +37,6 @@ class Rank(NamedTuple):
 class GeneralForm:
     """Solver of any chain; `Arm` describes what its methods return, and `ClosedForm` their conventions."""
 
-    named = Rank
-
     def __init__(self, model: ArmModel) -> None:
         self._model, self._links = model, model.links
 
@@ -54,9 +52,10 @@ class GeneralForm:
         """Compute the rates of the joints, and whether each pose is singular."""
         return rates_many(self._links, rows, twists, rates, singular)
 
-    def distances(self, rows: Array, result: Array) -> bool:
-        """Compute the distances from a singularity."""
-        return distances_many(self._links, rows, result)
+    def distances(self, rows: Array, shape: tuple[int, ...]) -> Rank | None:
+        """Return the distances from a singularity; None if a coordinate is not finite."""
+        result = np.empty((1, len(rows)))
+        return Rank(result.reshape(shape)) if distances_many(self._links, rows, result) else None
 
     def solve(self, pose: Array, near: Array, _turned: bool, limited: bool) -> Array:
         """Return the coordinates (1, n) that a search finds for a pose (12,), from `near` or else from other poses.

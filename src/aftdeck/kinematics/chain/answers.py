@@ -1,4 +1,7 @@
-"""Posture of a packed chain, in one array, from which the general solver answers the steering's questions."""
+"""Posture of a packed chain, in one array, from which the general solver answers the steering's questions.
+
+Laws call these functions and do not contain copies of them: arms with a closed form need none.
+"""
 
 from __future__ import annotations
 
@@ -11,7 +14,7 @@ from aftdeck.kinematics.chain.posture import place_joints, write_jacobian
 from aftdeck.kinematics.chain.rates import Weighted, resolve, slope_of, weigh
 from aftdeck.kinematics.jacobian import Rates, Twist
 from aftdeck.kinematics.linkage import Tip
-from aftdeck.law import law
+from aftdeck.law import large_law, law
 from aftdeck.tuples import MOST_JOINTS
 
 TIP = 0
@@ -72,7 +75,7 @@ def tip_of_row(row: Array) -> Tip:
     )  # fmt: skip
 
 
-@law
+@large_law
 def tip_at(arm: Array, q: Rates) -> Tip:
     """Return the tip's pose in L at coordinates `q`."""
     packed = packed_of(arm)
@@ -81,7 +84,7 @@ def tip_at(arm: Array, q: Rates) -> Tip:
     return tip_of_row(tip)
 
 
-@law
+@large_law
 def answer(arm: Array, q: Rates) -> Array:
     """Return the posture (ANSWERS,) at coordinates `q` [rad or m].
 
@@ -122,7 +125,7 @@ def _keep(matrix: Array, found: Array, at: int) -> None:
             found[at + i * columns + j] = matrix[i, j]
 
 
-@law
+@large_law
 def twist_of_rates(arm: Array, found: Array, rates: Rates) -> Twist:
     """Return the tip's twist in L at rates of the joints [rad/s or m/s]."""
     count, twist = int(packed_of(arm)[COUNT]), np.zeros(6)
@@ -132,7 +135,7 @@ def twist_of_rates(arm: Array, found: Array, rates: Rates) -> Twist:
     return Twist(twist[0], twist[1], twist[2], twist[3], twist[4], twist[5])
 
 
-@law
+@large_law
 def rates_of_twist(arm: Array, found: Array, twist: Twist, floor: float) -> Rates:
     """Return the rates of the joints [rad/s or m/s] for a twist of the tip in L, or for the part that they can make.
 
@@ -152,7 +155,7 @@ def rates_of_twist(arm: Array, found: Array, twist: Twist, floor: float) -> Rate
     return Rates(rates[0], rates[1], rates[2], rates[3], rates[4], rates[5], rates[6], rates[7])
 
 
-@law
+@large_law
 def change_of_distance(arm: Array, found: Array, rates: Rates) -> float:
     """Return the rate at which the distance from a singularity grows at rates of the joints [1/s]."""
     change = 0.0
@@ -161,7 +164,7 @@ def change_of_distance(arm: Array, found: Array, rates: Rates) -> float:
     return change
 
 
-@law
+@large_law
 def freeing_joint(arm: Array, found: Array) -> int:
     """Return the joint whose motion changes the distance from a singularity most."""
     best = 0
