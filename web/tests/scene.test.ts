@@ -99,6 +99,26 @@ test.each(cases)('the normals of a %s are unit vectors on the outer side', (_, s
   }
 });
 
+test.each(cases.filter(([name]) => !/cone|ring|sphere|plate|loft/.test(name)))(
+  'patterns have their own size on a %s',
+  (_, shape) => {
+    const { positions, uvs, indices } = surfaceOf(shape, 'full');
+    const corner = (i: number) => new Vector3().fromArray(positions, 3 * (indices[i] ?? 0));
+    const painted = (i: number) => new Vector3().fromArray(uvs, 2 * (indices[i] ?? 0)).setZ(0);
+    for (let i = 0; i < indices.length; i += 3) {
+      const [area, share] = [corner, painted].map((at) => {
+        const a = at(i);
+        return at(i + 1)
+          .sub(a)
+          .cross(at(i + 2).sub(a))
+          .length();
+      }) as [number, number];
+      // The texture's coordinates follow the outer circle of a wall, the triangles are within it.
+      expect(Math.abs(share / area - 1)).toBeLessThan(0.01);
+    }
+  },
+);
+
 test('a mirrored surface still faces outwards', () => {
   const mirrored = new Surface();
   mirrored.append(new BoxGeometry(1, 1, 1), new Matrix4().makeScale(1, -1, 1).setPosition(5, 0, 0));
