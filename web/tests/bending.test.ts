@@ -7,7 +7,7 @@ import { Body } from '../src/scene/bodies';
 import { LambertLight } from '../src/scene/lambert';
 import { Materials } from '../src/scene/materials';
 import { refine } from '../src/scene/refine';
-import { surfaceOf } from '../src/scene/shapes';
+import { surfaceOf, volume } from './surfaces';
 
 const END: Vec3 = [6.4, 0, 0.15];
 const bend = { displacement: [0.001, 0.02, -0.05], rotation: [0.01, 0.012, 0.005] } as const;
@@ -73,17 +73,11 @@ test('a refined surface has the same volume, no long edges, and no gaps', () => 
     radius_end: null,
   } as const;
   const surface = surfaceOf({ ...shape, position: [0, 0, 0], rotation: [0, 0, 0] } as never, 'low');
-  const volume = () => {
-    const at = (i: number) => new Vector3().fromArray(surface.positions, 3 * (surface.indices[i] ?? 0));
-    let sum = 0;
-    for (let i = 0; i < surface.indices.length; i += 3) sum += at(i).dot(at(i + 1).cross(at(i + 2))) / 6;
-    return sum;
-  };
-  const [before, count] = [volume(), surface.indices.length];
+  const [before, count] = [volume(surface), surface.indices.length];
   const colours = surface.positions.map(() => 0.5);
   refine(surface, colours, new Vector3(1, 0, 0));
   expect(surface.indices.length).toBeGreaterThan(4 * count);
-  expect(volume()).toBeCloseTo(before, 9);
+  expect(volume(surface)).toBeCloseTo(before, 9);
   expect(colours.length).toBe(surface.positions.length);
   const places = new Map<string, number>();
   for (let i = 0; i < surface.indices.length; i++) {

@@ -1,4 +1,4 @@
-import { Matrix4, Raycaster, type ShaderMaterial, Vector3 } from 'three';
+import { BoxGeometry, Matrix4, Raycaster, type ShaderMaterial, Vector3 } from 'three';
 import { expect, test } from 'vitest';
 import type { BodyInfo, Camera, Group, Shape } from '../src/link/protocol';
 import { Body } from '../src/scene/bodies';
@@ -6,22 +6,14 @@ import { Cameras } from '../src/scene/cameras';
 import { ASPECT } from '../src/scene/drawn';
 import { LambertLight } from '../src/scene/lambert';
 import { Materials } from '../src/scene/materials';
-import { surfaceOf } from '../src/scene/shapes';
 import { Surface } from '../src/scene/surface';
 import { bay } from './camera-values';
+import { surfaceOf, volume } from './surfaces';
 
 const placed = { position: [0, 0, 0], rotation: [0, 0, 0] } as const;
 const solid = { ...placed, material: 'metal' } as const;
 const turn = { start: 0, sweep: 2 * Math.PI } as const;
 const section = { half_width: 1, top: 1, middle: 0, bottom: -1, exponents: [2, 2] } as const;
-
-/** Returns the volume of a closed surface; negative if its triangles face inwards. */
-function volume({ positions, indices }: Surface): number {
-  const corner = (i: number) => new Vector3().fromArray(positions, 3 * (indices[i] ?? 0));
-  let sum = 0;
-  for (let i = 0; i < indices.length; i += 3) sum += corner(i).dot(corner(i + 1).cross(corner(i + 2))) / 6;
-  return sum;
-}
 
 const cases: readonly (readonly [string, Exclude<Shape, Group>, number])[] = [
   ['box', { ...solid, kind: 'box', size: [1, 2, 3] }, 6],
@@ -107,10 +99,29 @@ test.each(cases)('the normals of a %s are unit vectors on the outer side', (_, s
   }
 });
 
+test.each(cases.filter(([name]) => !/cone|ring|sphere|plate|loft/.test(name)))(
+  'patterns have their own size on a %s',
+  (_, shape) => {
+    const { positions, uvs, indices } = surfaceOf(shape, 'full');
+    const corner = (i: number) => new Vector3().fromArray(positions, 3 * (indices[i] ?? 0));
+    const painted = (i: number) => new Vector3().fromArray(uvs, 2 * (indices[i] ?? 0)).setZ(0);
+    for (let i = 0; i < indices.length; i += 3) {
+      const [area, share] = [corner, painted].map((at) => {
+        const a = at(i);
+        return at(i + 1)
+          .sub(a)
+          .cross(at(i + 2).sub(a))
+          .length();
+      }) as [number, number];
+      // The texture's coordinates follow the outer circle of a wall, the triangles are within it.
+      expect(Math.abs(share / area - 1)).toBeLessThan(0.01);
+    }
+  },
+);
+
 test('a mirrored surface still faces outwards', () => {
   const mirrored = new Surface();
-  const box = surfaceOf({ ...solid, kind: 'box', size: [1, 1, 1] }, 'low');
-  mirrored.append(box, new Matrix4().makeScale(1, -1, 1).setPosition(5, 0, 0));
+  mirrored.append(new BoxGeometry(1, 1, 1), new Matrix4().makeScale(1, -1, 1).setPosition(5, 0, 0));
   expect(volume(mirrored)).toBeCloseTo(1);
 });
 

@@ -15,9 +15,10 @@ class Layer {
   readonly surface = new Surface();
   readonly colours: number[] = [];
 
-  add(surface: Surface, motion: Matrix4, colour: Color): void {
-    this.surface.append(surface, motion);
-    for (let i = 0; i < surface.positions.length; i += 3) this.colours.push(colour.r, colour.g, colour.b);
+  add(geometry: BufferGeometry, motion: Matrix4, colour: Color): void {
+    this.surface.append(geometry, motion);
+    for (let i = geometry.getAttribute('position').count; i > 0; i--)
+      this.colours.push(colour.r, colour.g, colour.b);
   }
 
   get count(): number {
@@ -35,18 +36,20 @@ export class Batch {
    * `along`: direction in which the surface will bend; null if it is rigid.
    */
   geometries(along: Vector3 | null): { whole: BufferGeometry; plain: BufferGeometry } {
-    const layers = [this.shapes, this.details];
-    if (along) for (const { surface, colours } of layers) refine(surface, colours, along);
+    if (along)
+      for (const { surface, colours } of [this.shapes, this.details]) refine(surface, colours, along);
     const [{ surface: shapes }, { surface: details }] = [this.shapes, this.details];
     const whole = new BufferGeometry();
-    const attribute = (name: string, size: number, values: (layer: Layer) => readonly number[]) =>
-      whole.setAttribute(name, new Float32BufferAttribute(layers.flatMap(values), size));
+    const attribute = (name: string, size: number, values: (layer: Layer) => readonly number[]) => {
+      const all = values(this.shapes).concat(values(this.details));
+      whole.setAttribute(name, new Float32BufferAttribute(all, size));
+    };
     attribute('position', 3, ({ surface }) => surface.positions);
     attribute('normal', 3, ({ surface }) => surface.normals);
     attribute('uv', 2, ({ surface }) => surface.uvs);
     attribute('color', 3, ({ colours }) => colours);
     const first = this.shapes.count;
-    whole.setIndex([...shapes.indices, ...details.indices.map((i) => first + i)]);
+    whole.setIndex(shapes.indices.concat(details.indices.map((i) => first + i)));
     if (details.indices.length === 0) {
       whole.computeBoundingBox();
       return { whole, plain: whole };

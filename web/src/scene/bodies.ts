@@ -1,10 +1,10 @@
 import { Box3, type BufferGeometry, Euler, Matrix4, Mesh, Object3D, Quaternion, Vector3 } from 'three';
-import type { BodyInfo, Group, Light, Shape, Vec3 } from '../link/protocol';
+import type { BodyInfo, Light, Shape, Vec3 } from '../link/protocol';
 import { Batch } from './batch';
 import { type Bend, bendPoints } from './bend';
 import type { Quality } from './drawn';
 import type { Materials } from './materials';
-import { surfaceOf } from './shapes';
+import { geometriesOf, type Leaf } from './shapes';
 
 const ONE = new Vector3(1, 1, 1);
 const MIRROR = new Matrix4().makeScale(1, -1, 1);
@@ -57,12 +57,18 @@ export class Body {
       batches.set(name, batch);
       return batch;
     };
+    const made = new Map<Leaf, BufferGeometry[]>();
+    const geometries = (shape: Leaf) => {
+      const found = made.get(shape) ?? geometriesOf(shape, quality); // the copies of a group share them
+      made.set(shape, found);
+      return found;
+    };
     for (const layer of ['shapes', 'details'] as const) {
       for (const [shape, motion] of placed(info[layer], new Matrix4())) {
         if (shape.kind === 'light') this.lights.push({ light: shape, place: motion });
         const look =
           shape.kind === 'light' ? materials.look('glow', shape.switch) : materials.look(shape.material);
-        batchOf(look)[layer].add(surfaceOf(shape, quality), motion, look.colour);
+        for (const geometry of geometries(shape)) batchOf(look)[layer].add(geometry, motion, look.colour);
       }
     }
     for (const [name, batch] of batches) {
@@ -149,10 +155,7 @@ function twin(mesh: Mesh, geometry: BufferGeometry): Mesh {
 }
 
 /** Yield every drawn shape with its pose in the body's frame. A shape in a group is yielded once for each copy. */
-function* placed(
-  shapes: readonly Shape[],
-  frame: Matrix4,
-): Generator<readonly [Exclude<Shape, Group>, Matrix4]> {
+function* placed(shapes: readonly Shape[], frame: Matrix4): Generator<readonly [Leaf, Matrix4]> {
   for (const shape of shapes) {
     const motion = motionOf(shape.position, shape.rotation);
     if (shape.kind !== 'group') {

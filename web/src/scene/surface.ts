@@ -1,6 +1,8 @@
-import { type Matrix4, Vector3 } from 'three';
+import { type BufferGeometry, type Matrix4, Vector3 } from 'three';
 
-const point = new Vector3();
+type Attribute = ReturnType<BufferGeometry['getAttribute']>;
+
+const [point, facing] = [new Vector3(), new Vector3()];
 
 /** Triangles under construction: positions [m], unit normals, and texture coordinates [m]. */
 export class Surface {
@@ -22,19 +24,31 @@ export class Surface {
     this.indices.push(a, b, c);
   }
 
-  /** Adds a copy of `other`, moved by a rigid motion or a reflection. */
-  append(other: Surface, motion: Matrix4): void {
+  /** Adds a geometry of three, moved by a rigid motion or a reflection. Triangles with two equal corners are left out. */
+  append(geometry: BufferGeometry, motion: Matrix4): void {
     const first = this.positions.length / 3;
-    for (let i = 0; i < other.positions.length; i += 3) {
-      point.fromArray(other.positions, i).applyMatrix4(motion);
-      this.positions.push(point.x, point.y, point.z);
-      point.fromArray(other.normals, i).transformDirection(motion);
-      this.normals.push(point.x, point.y, point.z);
+    const position = geometry.getAttribute('position');
+    const normal = geometry.getAttribute('normal');
+    const uv = geometry.getAttribute('uv');
+    for (let i = 0; i < position.count; i++) {
+      point.fromBufferAttribute(position, i).applyMatrix4(motion);
+      facing.fromBufferAttribute(normal, i).transformDirection(motion);
+      this.vertex(point, facing, uv.getX(i), uv.getY(i));
     }
-    for (const uv of other.uvs) this.uvs.push(uv);
+    const corners = geometry.index?.array ?? Uint32Array.from({ length: position.count }, (_, i) => i);
     const [second, third] = motion.determinant() < 0 ? [2, 1] : [1, 2];
-    for (let i = 0; i < other.indices.length; i += 3) {
-      for (const corner of [0, second, third]) this.indices.push(first + (other.indices[i + corner] ?? 0));
+    for (let i = 0; i < corners.length; i += 3) {
+      const [a, b, c] = [corners[i] ?? 0, corners[i + second] ?? 0, corners[i + third] ?? 0];
+      if (!same(position, a, b) && !same(position, b, c) && !same(position, c, a))
+        this.triangle(first + a, first + b, first + c);
     }
   }
+}
+
+function same(position: Attribute, a: number, b: number): boolean {
+  return (
+    position.getX(a) === position.getX(b) &&
+    position.getY(a) === position.getY(b) &&
+    position.getZ(a) === position.getZ(b)
+  );
 }

@@ -22,7 +22,14 @@ export function singularity({ welcome: { singularities, singular, joints } }: De
       svg('rect', { class: 'reach', x: '0', y: '7', width: String(singular * LENGTH), height: '4' }),
       pointer,
     );
-    return { name, title: capitalised(name), pointer, label, value, row: el('div', { class: 'distance' }, label, bar, value) };
+    return {
+      name,
+      title: capitalised(name),
+      pointer,
+      label,
+      value,
+      row: el('div', { class: 'distance' }, label, bar, value),
+    };
   });
   const gauges = el('div', { class: 'gauges' }, ...rows.map(({ row }) => row));
   const element = group('singularity', 'Singularity', gauges);
