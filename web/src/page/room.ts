@@ -15,6 +15,8 @@ export const ROOM = {
   short: '(height <= 870px)',
   /** A lamp's small text has only one line. */
   shallow: '(height <= 809px)',
+  /** The page scrolls, because the window is lower than the desk with the least pictures. */
+  sunk: '(height < 720px)',
   /** The rest of the guide's card, below its instruction, has no room for a note. */
   full: '(height < 1.6rem)',
 } as const;
