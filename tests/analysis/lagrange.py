@@ -40,7 +40,7 @@ def mass_matrix(model: ArmModel, payload: MassProperties | None, coordinates: tu
                 joint = model.joints.index(name.removeprefix("motor."))
                 if frame != STAND and (frame == PRONG or chain.index(frame) > joint):
                     origin, carried = poses[chain[joint + 1]]
-                    turning[:, k] = carried[:, model.linkage.axes[joint] - 1]
+                    turning[:, k] = carried @ model.linkage.axes[joint]
                     moving[:, k] = np.cross(turning[:, k], centre - origin)
         total = total + body.mass * moving.T @ moving + turning.T @ inertia @ turning
     return total

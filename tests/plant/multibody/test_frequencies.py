@@ -93,8 +93,8 @@ def test_tip_is_as_flexible_as_the_sum_of_all_springs(srms: ArmModel) -> None:
             return float(np.cross(axis, tip - at) @ force) ** 2 / stiffness
 
         total = sum(of_spring(np.zeros(3), axis, k) for axis, k in zip(np.eye(3), springs.base, strict=True))
-        for at, number, k in zip(joints, srms.linkage.axes, springs.gearboxes, strict=True):
-            total += of_spring(at, np.eye(3)[number - 1], k)
+        for at, along, k in zip(joints, srms.linkage.axes, springs.gearboxes, strict=True):
+            total += of_spring(at, along, k)
         for which, boom in enumerate((1, 2)):
             begin, end = joints[boom], joints[boom + 1]
             length = float(np.linalg.norm(end - begin))

@@ -92,10 +92,9 @@ def of_pinocchio(model: ArmModel) -> tuple[Any, Array]:
     made = pinocchio.Model()
     made.gravity = pinocchio.Motion.Zero()
     joint = 0
-    kinds = {1: pinocchio.JointModelRX, 2: pinocchio.JointModelRY, 3: pinocchio.JointModelRZ}
     for i, frame in enumerate(linkage.frames[1:]):
         placed = pinocchio.SE3(np.eye(3), np.array(linkage.steps[i]))
-        joint = made.addJoint(joint, kinds[linkage.axes[i]](), placed, model.joints[i])
+        joint = made.addJoint(joint, pinocchio.JointModelRevoluteUnaligned(linkage.axes[i]), placed, model.joints[i])
         parts = [masses.bodies[frame]] if frame in masses.bodies else []
         parts += [boom.whole() for boom in masses.booms if boom.frame == frame]
         for body in parts:

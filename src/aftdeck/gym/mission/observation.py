@@ -37,7 +37,7 @@ class Observer:
         scales = [(one.size, *zeros_and_ones.get(one.reading, none)) for one in observed]
         self._zero = np.concatenate([np.broadcast_to(zero, size) for size, zero, _ in scales])
         self._one = np.concatenate([np.broadcast_to(one, size) for size, _, one in scales])
-        self._readings = [named(one.reading) for one in observed]
+        self._names = [one.reading for one in observed]  # names can be pickled, readings cannot
         self._scenario, self._sticks = scenario, StickAxes(scenario)
         self.space = observation_space(observed)
 
@@ -49,6 +49,6 @@ class Observer:
             left: remaining motion; None if there is no place to move to.
         """
         known = Known(frame, self._scenario, along=seen_along(frame, left, self._sticks.in_l(frame)))
-        values = np.array([value for reading in self._readings for value in reading.values(known)], dtype=np.float64)
+        values = np.array([value for name in self._names for value in named(name).values(known)], dtype=np.float64)
         scaled: Array = np.clip((values - self._zero) / self._one, self.space.low, self.space.high)
         return scaled.astype(np.float32)

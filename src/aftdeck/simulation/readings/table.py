@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from functools import cache
+
 from aftdeck.scenario.model import Scenario
 from aftdeck.simulation.readings.masses import FORCES, LOADS, of_bodies
 from aftdeck.simulation.readings.motion import MOTION
@@ -36,6 +38,7 @@ def readings_of(scenario: Scenario) -> tuple[Reading, ...]:
     return tuple(reading for reading in found if scenario.plant != "kinematic" or not reading.needs)
 
 
+@cache
 def named(name: str) -> Reading:
     """Return the reading of every run with this name."""
     return next(reading for reading in readings() if reading.name == name)
