@@ -6,6 +6,8 @@ the steering's rules for such an arm. L is the arm's base frame.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 import numpy as np
 
 from aftdeck.arms.rank import Joint, best_of
@@ -46,6 +48,19 @@ TWIST = 6
 _UNTURNED = np.eye(3).ravel()
 
 
+def chain_length(steps: Sequence[Sequence[float]], tip: Sequence[float]) -> float:
+    """Return the sum of the distances from joint to joint and to the tip [m], at coordinates 0.
+
+    Args:
+        steps: vector from the joint before to each joint, or from L's origin to the first, which does not count [m].
+        tip: vector from the last joint to the tip [m].
+    """
+    total = length(tip)
+    for step in steps[1:]:
+        total += length(step)
+    return total
+
+
 def packed_chain(joints: tuple[Joint, ...], tip: Array, turning: float) -> Array:
     """Return a chain as a packed array (CHAIN,).
 
@@ -55,10 +70,7 @@ def packed_chain(joints: tuple[Joint, ...], tip: Array, turning: float) -> Array
         turning: `FOLLOW`, for a chain that cannot make every twist.
     """
     packed = np.zeros(CHAIN)
-    scale = length(tip.tolist())
-    for joint in joints[1:]:
-        scale += length(joint.step.tolist())
-    scale /= 3.0
+    scale = chain_length([joint.step.tolist() for joint in joints], tip.tolist()) / 3.0
     for k, joint in enumerate(joints):
         row = packed[k * JOINT : (k + 1) * JOINT]
         row[PLACE : PLACE + 3], row[PLACE + 3 : PLACE + 12] = joint.step, _UNTURNED

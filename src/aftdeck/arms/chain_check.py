@@ -4,10 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from aftdeck.arms.chain import chain_length
 from aftdeck.arms.geometry import FOOT, PRONG, STAND
 from aftdeck.arms.joints import JointFile, Slide
 from aftdeck.arms.limits import limit_problems, limits_of, rates_of
 from aftdeck.arms.model import ChainArmFile
+from aftdeck.bodies.mass_properties import impossible, tensor
 from aftdeck.files import Problem
 from aftdeck.matrices import length
 
@@ -29,7 +31,7 @@ def joint_problems(file: ChainArmFile) -> list[Problem]:
             found.append(Problem(("joint", i, "name"), f"{joint.name!r} is already the name of another joint"))
     for problem in limit_problems(file.joints, limits_of(file), rates_of(file)):
         found.append(Problem(("joint",), problem.what))
-    reach = sum(length(joint.step) for joint in file.joint[1:]) + length(file.tip.value)
+    reach = chain_length([joint.step for joint in file.joint], file.tip.value)
     if reach < SHORTEST:
         what = (
             f"the distances from joint to joint and to the tip are {reach:g} m in all; expected {SHORTEST:g} m or more"
@@ -48,7 +50,5 @@ def _of_joint(joint: JointFile) -> Iterator[tuple[tuple[str, ...], str]]:
         yield ("axis",), f"expected the direction of an axis, got {', '.join(f'{part:g}' for part in joint.axis)}"
     if joint.link is None:
         return
-    small, middle, great = sorted(joint.link.inertia)
-    if small + middle < great * (1.0 - 1e-9):
-        given = ", ".join(f"{moment:g}" for moment in joint.link.inertia)
-        yield ("link", "inertia"), f"no body has the moments {given} kg m2: one of them exceeds the sum of the others"
+    if why := impossible(tensor(joint.link.inertia)):
+        yield ("link", "inertia"), why

@@ -7,12 +7,15 @@ from typing import Annotated, Literal
 import msgspec
 
 from aftdeck.arms.constant import Confidence, Part, Text
+from aftdeck.arms.drives import LinkInertia
 from aftdeck.bounds import DIRECTION, Bounds
-from aftdeck.units import Acceleration, Angle, AngularAcceleration, AngularRate, Length, Mass, MomentOfInertia, Speed
+from aftdeck.tuples import MOST_JOINTS
+from aftdeck.units import Acceleration, Angle, AngularAcceleration, AngularRate, Length, Mass, Speed
 
-_ARM = 200.0
-_LONG = "the Shuttle's arm is 15 m long, Canadarm2 18 m"
-Distance = Annotated[Length, Bounds(-_ARM, _ARM, _LONG)]
+LONGEST = 200.0
+"""Greatest plausible length of an arm [m]."""
+REAL_LENGTHS = "the Shuttle's arm is 15 m long, Canadarm2 18 m"
+Distance = Annotated[Length, Bounds(-LONGEST, LONGEST, REAL_LENGTHS)]
 """Coordinate on an arm."""
 Place = tuple[Distance, Distance, Distance]
 JointRate = Annotated[
@@ -33,7 +36,6 @@ StickAxis = Literal["RHC roll", "RHC pitch", "RHC yaw", "THC X", "THC Y", "THC Z
 """Axis of the hand controllers."""
 Weight = Annotated[float, Bounds(0.0, 1e6, "a joint with a million times the weight moves alone")]
 LinkMass = Annotated[Mass, Bounds(1e-6, 1e5, "the Shuttle's whole arm has 410 kg")]
-LinkInertia = Annotated[MomentOfInertia, Bounds(1e-9, 1e7, "the Shuttle's booms have about 1000 kg m2")]
 
 
 class LinkFile(Part, frozen=True):
@@ -91,5 +93,4 @@ class Slide(_JointFile, frozen=True, kw_only=True, tag="slide"):
 
 
 JointFile = Turn | Slide
-Joints = Annotated[tuple[JointFile, ...], msgspec.Meta(min_length=1, max_length=8)]
-"""From one to `tuples.MOST_JOINTS` joints."""
+Joints = Annotated[tuple[JointFile, ...], msgspec.Meta(min_length=1, max_length=MOST_JOINTS)]

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from itertools import pairwise
-from typing import NamedTuple
+from typing import Literal, NamedTuple
 
 import numpy as np
 
@@ -46,16 +46,19 @@ class JointRates(NamedTuple):
 
 def limits_of(file: ArmFile) -> Limits:
     """Return the joint limits of a file's arm."""
-    if isinstance(file, ChainArmFile):
-        return Limits(*(frozen([getattr(joint, name) for joint in file.joint]) for name in Limits._fields))
-    return Limits(*(frozen(getattr(file.limits, name).value) for name in Limits._fields))
+    return Limits(*(_by_joint(file, "limits", name) for name in Limits._fields))
 
 
 def rates_of(file: ArmFile) -> JointRates:
     """Return the rate limits of a file's arm."""
+    return JointRates(*(_by_joint(file, "rates", name) for name in JointRates._fields))
+
+
+def _by_joint(file: ArmFile, table: Literal["limits", "rates"], name: str) -> Array:
+    """Return a value of each joint: from the joints' own tables, or else from this table of the file."""
     if isinstance(file, ChainArmFile):
-        return JointRates(*(frozen([getattr(joint, name) for joint in file.joint]) for name in JointRates._fields))
-    return JointRates(*(frozen(getattr(file.rates, name).value) for name in JointRates._fields))
+        return frozen([getattr(joint, name) for joint in file.joint])
+    return frozen(getattr(getattr(file, table), name).value)
 
 
 def limit_problems(joints: Sequence[str], limits: Limits, rates: JointRates) -> list[Problem]:

@@ -14,7 +14,7 @@ import msgspec
 
 from aftdeck.arms.constant import Confidence, Constant, Part, Text
 from aftdeck.arms.drives import FlexibilityFile, LinksFile, ServoFile, SlidesFile
-from aftdeck.arms.joints import Distance, JointAcceleration, JointRate, Joints, Place
+from aftdeck.arms.joints import LONGEST, REAL_LENGTHS, Distance, JointAcceleration, JointRate, Joints, Place
 from aftdeck.bodies.cover import FEWEST_SIDES
 from aftdeck.bounds import Bounds
 from aftdeck.shapes import Axis
@@ -22,13 +22,13 @@ from aftdeck.units import Angle, AngularRate, Length, Mass, Speed, Time
 
 _T = TypeVar("_T")
 
-_ARM = 200.0
-_LONG = "the Shuttle's arm is 15 m long, Canadarm2 18 m"
-Size = Annotated[Length, Bounds(0.0005, _ARM, f"{_LONG}, and the parts of the smallest arms measure millimetres")]
+Size = Annotated[
+    Length, Bounds(0.0005, LONGEST, f"{REAL_LENGTHS}, and the parts of the smallest arms measure millimetres")
+]
 """Length of a link, or size of a part of an arm."""
 Offset = tuple[Size, Distance]
 """Offset of a joint from the joint before it, at zero angles: along the arm, then down [m]."""
-Reach = Annotated[Length, Bounds(0.0, _ARM, _LONG)]
+Reach = Annotated[Length, Bounds(0.0, LONGEST, REAL_LENGTHS)]
 """Distance between two joints, or from a joint to the tip; 0 if they coincide."""
 Span = tuple[Distance, Distance]
 """Coordinates of the two ends of a body along a line: begin, then end [m]."""

@@ -1,4 +1,7 @@
-"""What a chain of joints can do in its best postures: how many independent twists it makes, and how evenly."""
+"""What a chain of joints can do in its best postures: how many independent twists it makes, and how evenly.
+
+It is computed with NumPy and not by the laws, so that loading an arm compiles none of them.
+"""
 
 from __future__ import annotations
 

@@ -185,6 +185,15 @@ def lifted(t: Tip, by: float) -> Tip:
 
 
 @law
+def put_tip(t: Tip, position: Array, rotation: Array) -> None:
+    """Write the tip's position (3,) [m] and rotation (3, 3)."""
+    position[0], position[1], position[2] = t.x, t.y, t.z
+    rotation[0, 0], rotation[0, 1], rotation[0, 2] = t.r11, t.r12, t.r13
+    rotation[1, 0], rotation[1, 1], rotation[1, 2] = t.r21, t.r22, t.r23
+    rotation[2, 0], rotation[2, 1], rotation[2, 2] = t.r31, t.r32, t.r33
+
+
+@law
 def forward_many(arm: Array, angles: Array, position: Array, rotation: Array) -> bool:
     """Compute LNKAGE for each row of angles (n, 6) [rad].
 
@@ -197,10 +206,5 @@ def forward_many(arm: Array, angles: Array, position: Array, rotation: Array) ->
     for i in range(angles.shape[0]):
         q = angles[i]
         whole = whole and finite(q)
-        t = tip(arm, sines(arm, q[0], q[1], q[2], q[3], q[4], q[5]))
-        position[i, 0], position[i, 1], position[i, 2] = t.x, t.y, t.z
-        r = rotation[i]
-        r[0, 0], r[0, 1], r[0, 2] = t.r11, t.r12, t.r13
-        r[1, 0], r[1, 1], r[1, 2] = t.r21, t.r22, t.r23
-        r[2, 0], r[2, 1], r[2, 2] = t.r31, t.r32, t.r33
+        put_tip(tip(arm, sines(arm, q[0], q[1], q[2], q[3], q[4], q[5])), position[i], rotation[i])
     return whole

@@ -11,12 +11,11 @@ from typing import NamedTuple
 
 import numpy as np
 
-from aftdeck.arms.chain import COUNT
 from aftdeck.arms.geometry import GENERAL
 from aftdeck.arrays import Array
 from aftdeck.kinematics import singular
 from aftdeck.kinematics.chain import answers
-from aftdeck.kinematics.chain.answers import NEAR, TIP, answer, packed_of, tip_of_row
+from aftdeck.kinematics.chain.answers import NEAR, TIP, answer, tip_of_row
 from aftdeck.kinematics.jacobian import Rates, Twist, erates, jacobi, of_array
 from aftdeck.kinematics.linkage import WRIST, Sines, Tip, sines, tip
 from aftdeck.kinematics.rates import rmsrat
@@ -43,12 +42,6 @@ def posture(arm: Array, q: Rates) -> Posture:
         return Posture(sines(arm, q.r1, q.r2, q.r3, q.r4, q.r5, q.r6), np.empty(0))
     none = Sines(0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
     return Posture(none, answer(arm, q))
-
-
-@law
-def number_of_joints(arm: Array) -> int:
-    """Return the number of joints."""
-    return 6 if arm[WRIST] != GENERAL else int(packed_of(arm)[COUNT])
 
 
 @law

@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from typing import TypeVar
 
 import msgspec
 
 from aftdeck.arms.geometry import frozen
 from aftdeck.arms.limits import JointRates, Limits, limit_problems
 from aftdeck.arms.load import ArmModel, PorLimits
-from aftdeck.arrays import Array
 from aftdeck.errors import AftdeckError, ScenarioError
 from aftdeck.files import Where
 from aftdeck.kinematics.arm import Arm
@@ -18,6 +18,8 @@ from aftdeck.scenario.model import RateLimits
 from aftdeck.scenario.problems import Problems
 from aftdeck.scenario.schema import LimitsOverride, PorOverride, RatesOverride
 from aftdeck.scenario.sources import Sources
+
+_T = TypeVar("_T", Limits, JointRates)
 
 
 def limited_arm(problems: Problems, name: str, over: LimitsOverride, sources: Sources) -> Arm | None:
@@ -43,24 +45,18 @@ def limited_arm(problems: Problems, name: str, over: LimitsOverride, sources: So
 
 def _limited(problems: Problems, model: ArmModel, over: LimitsOverride) -> ArmModel:
     where = ("limits",)
-    limits = Limits(
-        **{name: _pick(problems, model, over, name, own, where) for name, own in model.limits._asdict().items()}
-    )
-    rates = _rates(problems, model, over, where)
+    limits = _replaced(problems, model, model.limits, over, where)
+    rates = _replaced(problems, model, model.rates, over, where)
     for problem in limit_problems(model.joints, limits, rates):
         problems.add(("limits", *problem.where[1:]), problem.what)
     return replace(model, limits=limits, rates=rates)
 
 
-def _pick(problems: Problems, model: ArmModel, over: RatesOverride, name: str, own: Array, where: Where) -> Array:
-    given = getattr(over, name)
-    return own if given is None or not fits(problems, model.joints, given, (*where, name)) else frozen(given)
-
-
-def _rates(problems: Problems, model: ArmModel, over: RatesOverride, where: Where) -> JointRates:
-    return JointRates(
-        **{name: _pick(problems, model, over, name, own, where) for name, own in model.rates._asdict().items()}
-    )
+def _replaced(problems: Problems, model: ArmModel, own: _T, over: RatesOverride, where: Where) -> _T:
+    """Return the arm's own limits, with those in their place that the file gives and that fit the arm's joints."""
+    given = {name: value for name in own._fields if (value := getattr(over, name)) is not None}
+    fitting = {k: frozen(v) for k, v in given.items() if fits(problems, model.joints, v, (*where, k))}
+    return own._replace(**fitting)
 
 
 def phase_limits(
@@ -78,7 +74,7 @@ def phase_limits(
     """
     if over == RatesOverride():
         return None
-    rates = _rates(problems, model, over, where)
+    rates = _replaced(problems, model, model.rates, over, where)
     for problem in limit_problems(model.joints, model.limits, rates):
         problems.add((*where, *problem.where[1:]), problem.what)
     given = {name: value for name in PorOverride.__struct_fields__ if (value := getattr(over.por, name)) is not None}

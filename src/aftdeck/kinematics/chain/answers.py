@@ -61,10 +61,7 @@ def follow_of(packed: Array, turning: float) -> Array:
 @law
 def place_tip(packed: Array, q: Rates, joints: Array, tip: Array) -> None:
     """Write the poses of the joints (n, 12) and of the tip (12,) in L at coordinates `q` [rad or m]."""
-    coordinates = np.empty(joints.shape[0])
-    for i in range(joints.shape[0]):
-        coordinates[i] = q[i]
-    place_joints(joints_of(packed), packed[HAND : HAND + POSE], coordinates, joints, tip)
+    place_joints(joints_of(packed), packed[HAND : HAND + POSE], q, joints, tip)
 
 
 @law

@@ -21,6 +21,7 @@ from aftdeck.kinematics.chain.answers import (
 from aftdeck.kinematics.chain.search import Found, search
 from aftdeck.kinematics.finite import finite
 from aftdeck.kinematics.jacobian import Twist, of_array
+from aftdeck.kinematics.linkage import put_tip
 from aftdeck.law import law
 
 FLOOR = 1e-7
@@ -33,12 +34,7 @@ def forward_many(arm: Array, angles: Array, position: Array, rotation: Array) ->
     whole = True
     for i in range(angles.shape[0]):
         whole = whole and finite(angles[i])
-        t = tip_at(arm, of_array(angles[i]))
-        position[i, 0], position[i, 1], position[i, 2] = t.x, t.y, t.z
-        r = rotation[i]
-        r[0, 0], r[0, 1], r[0, 2] = t.r11, t.r12, t.r13
-        r[1, 0], r[1, 1], r[1, 2] = t.r21, t.r22, t.r23
-        r[2, 0], r[2, 1], r[2, 2] = t.r31, t.r32, t.r33
+        put_tip(tip_at(arm, of_array(angles[i])), position[i], rotation[i])
     return whole
 
 

@@ -12,11 +12,12 @@ from aftdeck.arms.chain import AXIS, SLIDES
 from aftdeck.arrays import Array
 from aftdeck.bodies.pose import POSE, compose, put_turn
 from aftdeck.elementary import sincos
+from aftdeck.kinematics.linkage import Floats
 from aftdeck.law import law
 
 
 @law
-def place_joints(chain: Array, hand: Array, q: Array, joints: Array, tip: Array) -> None:
+def place_joints(chain: Array, hand: Array, q: Floats, joints: Array, tip: Array) -> None:
     """Write the poses of all joints' frames and of the tip, in L.
 
     A joint's frame moves with the joint.

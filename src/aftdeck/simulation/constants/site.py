@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from dataclasses import dataclass
 from functools import cached_property, lru_cache
 
@@ -327,12 +326,8 @@ def _ball(model: ArmModel) -> tuple[str, ...]:
     Parts in the wrist's inner frames only rotate about that point. The end effector is at a distance from the
     point, and the joint limits keep it in front of the boom. It therefore touches neither the boom nor these parts.
     """
-    *_, second, third = (
-        math.inf,
-        math.inf,
-        *lengths(model.linkage.steps)[1:],
-    )  # three axes have two steps between them
-    return model.linkage.frames[-3:] if second == third == 0.0 else ()
+    between = lengths(model.linkage.steps)[1:]
+    return model.linkage.frames[-3:] if len(between) > 1 and not between[-2:].any() else ()
 
 
 def scene_in_l(scenario: Scenario) -> Array:

@@ -90,11 +90,8 @@ def _of_joints(flight: Flight, cause: int, culprit: int) -> list[Limit]:
     if cause == 0:
         return []
     if CAUSES[cause] == "singularity":
-        return [
-            Limit(
-                "singularity", -1, f"slowed before the {flight.scenario.arm.model.singularities[culprit]} singularity"
-            )
-        ]
+        name = flight.scenario.arm.model.singularities[culprit]
+        return [Limit("singularity", -1, f"slowed before the {name} singularity")]
     joint = joint_label(flight.scenario.arm.joints[culprit])
     kind, text = _TEXTS[CAUSES[cause]]
     return [Limit(kind, culprit, f"{joint} {text}")]

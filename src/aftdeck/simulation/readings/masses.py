@@ -138,7 +138,7 @@ def _loads() -> Iterator[Reading]:
 
 
 def _bend(part: str, field: str, quantity: Quantity, title: str, how: str) -> Reading:
-    """Return the reading of how far a part is displaced or turned by its bending; None if it does not bend."""
+    """Return the reading of how far a part is displaced or turned by its bending."""
 
     def size(s: Known) -> float | None:
         return next((math.hypot(*getattr(bend, field)) for bend in _bodies(s).bends if bend.part == part), None)

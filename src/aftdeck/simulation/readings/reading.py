@@ -46,7 +46,7 @@ class Known(NamedTuple):
         scenario: the scenario.
         gauges: readings of the gauges; None without gauges.
         latency_ms: time from stick to picture [ms]; None if it was not measured.
-        along: motion along the sticks' axes; None where nobody needs it.
+        along: motion along the sticks' axes; None if it was not computed.
     """
 
     frame: Frame
