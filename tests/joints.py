@@ -26,7 +26,7 @@ def with_joints(arm: Arm, joints: int) -> Arm:
     def fit(values: Any) -> Any:
         return type(values)(*(np.resize(own, (joints, *own.shape[1:])) for own in values))
 
-    servo, springs, master = model.servo, model.flexibility, model.equipment.master
+    servo, springs, master = model.servo, model.flexibility, model.master
     return Arm(
         replace(
             model,
@@ -40,7 +40,7 @@ def with_joints(arm: Arm, joints: int) -> Arm:
             else springs._replace(
                 gearboxes=np.resize(springs.gearboxes, joints), friction=np.resize(springs.friction, joints)
             ),
-            equipment=model.equipment._replace(master=(*master, *(None,) * joints)[:joints]),
+            master=(*master, *(None,) * joints)[:joints],
         )
     )
 

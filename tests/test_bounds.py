@@ -73,7 +73,7 @@ def load(kind: str, name: str, old: str, new: str, folder: Path) -> None:
         ("arm", "srms", '"251.05 in"', '"1e100 in"', "2.54e+98 m", "200 m"),
         ("arm", "srms", '"2.29 deg/s"', '"1e100 deg/s"', "1.74533e+98 rad/s", "10 rad/s"),
         ("arm", "srms", '"-180 deg"', '"-9e7 deg"', "-1.5708e+06 rad", "62.84 rad"),
-        ("arm", "concept-1972", "[stand.greatest]\nvalue = ", "[stand.greatest]\nvalue = 1e6 # ", "1e+06 m", "200 m"),
+        ("arm", "concept-1972", "[joint.greatest]\nvalue = ", "[joint.greatest]\nvalue = 1e6 # ", "1e+06 m", "200 m"),
         ("scenario", "tutorial", "duration = ", "duration = 6e7 #", "6e+07 s", "86400 s"),
         ("arm", "srms", "sides = 8", "sides = 1" + "0" * 17, "1e+17", "360"),
     ],

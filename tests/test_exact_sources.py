@@ -25,11 +25,11 @@ INEXACT = {
 
 EXEMPT = {
     "analysis": "linear models for callers; no frame depends on it",
-    "arms/bodies.py": "decides whether a file is accepted",
     "arms/check.py": "decides whether a file is accepted",
     "arms/links.py": "only plants with masses depend on it",
-    "arms/chain_check.py": "decides whether a file is accepted",
+    "arms/joint_check.py": "decides whether a file is accepted",
     "arms/masses.py": "only plants with masses depend on it",
+    "arms/old_masses.py": "only plants with masses depend on it",
     "arms/rank.py": "a count, and a number of two digits",
     "bodies/hexahedron_check.py": "decides whether a solid is accepted",
     "bodies/mass_properties.py": "only plants with masses depend on it",

@@ -1,14 +1,14 @@
 """The direction of imports: a package imports only itself and the packages in its layer or in earlier layers."""
 
 import ast
+import importlib
 from collections.abc import Iterator
 from pathlib import Path
-from typing import get_args
 
+import msgspec
 import pytest
 
 import aftdeck
-from aftdeck.arms.model import ArmFile
 
 SOURCE = Path(aftdeck.__file__).parent
 
@@ -181,16 +181,23 @@ def test_packages_import_only_from_their_own_and_earlier_layers() -> None:
     assert not wrong, "\n".join(wrong)
 
 
-def test_only_the_package_arms_uses_arm_families() -> None:
-    families = {family.__name__ for family in get_args(ArmFile)}
-    known = {
-        path.relative_to(SOURCE).parts[0]
+def test_only_the_package_arms_knows_the_tables_of_arm_files() -> None:
+    """Other packages read an `ArmModel`; ranges and keys of studies need the type of the whole file."""
+    tables = {"aftdeck.arms.joints", "aftdeck.arms.link_file", "aftdeck.arms.model"}
+    structs = {
+        name for module in tables for name, kind in vars(importlib.import_module(module)).items()
+        if isinstance(kind, type) and issubclass(kind, msgspec.Struct) and kind.__module__ == module
+    }  # fmt: skip
+    used = {
+        (str(path.relative_to(SOURCE)), node.name)
         for path in SOURCE.rglob("*.py")
-        for node in ast.walk(ast.parse(path.read_text(encoding="utf-8")))
-        if (isinstance(node, ast.alias) and node.name.split(".")[-1] in families)
-        or (isinstance(node, ast.Attribute) and node.attr in {*families, "family"})
+        if path.relative_to(SOURCE).parts[0] != "arms"
+        for statement in ast.walk(ast.parse(path.read_text(encoding="utf-8")))
+        if isinstance(statement, ast.ImportFrom) and statement.module in tables
+        for node in statement.names
+        if node.name in structs
     }
-    assert known == {"arms"}
+    assert used == {("scenario/ranges_document.py", "ArmFile"), ("study/keys.py", "ArmFile")}
 
 
 @pytest.mark.parametrize(

@@ -9,7 +9,7 @@ import re
 import tomllib
 from collections.abc import Iterator
 from pathlib import Path
-from typing import Any, Union, cast, get_args, get_origin, get_type_hints
+from typing import Any, Union, get_args, get_origin, get_type_hints
 
 import msgspec
 import pytest
@@ -18,7 +18,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from aftdeck.arms import shapes as arm_shapes
-from aftdeck.arms.model import ArmFile, HeadingArmFile, YawArmFile
+from aftdeck.arms.model import ArmFile
 from aftdeck.errors import ScenarioError
 from aftdeck.files import Text, examine, place
 from aftdeck.scenario import light
@@ -32,8 +32,7 @@ from aftdeck.worksite.file.schema import WorksiteFile
 FILES: tuple[type[msgspec.Struct], ...] = (
     ScenarioFile,
     WorksiteFile,
-    YawArmFile,
-    HeadingArmFile,
+    ArmFile,
     arm_shapes.ShapesFile,
     light.LightFile,
 )
@@ -69,7 +68,7 @@ PATHS = sorted({(kind, path) for kind in FILES for path in lists_of_tables(kind)
 def test_lists_of_tables_are_found() -> None:
     found = {(kind.__name__, place(tuple(0 if part is None else part for part in path))) for kind, path in PATHS}
     assert {("ScenarioFile", "phase[0]"), ("ScenarioFile", "sequence[0].point[0]")} <= found
-    assert {("WorksiteFile", "body[0].solids[0]"), ("YawArmFile", "por[0]"), ("ShapesFile", "camera[0]")} <= found
+    assert {("WorksiteFile", "body[0].solids[0]"), ("ArmFile", "por[0]"), ("ShapesFile", "camera[0]")} <= found
     assert len(found) > 20
 
 
@@ -80,9 +79,8 @@ def test_unknown_field_is_reported_with_its_index_and_line(
     kind: type[msgspec.Struct], path: tuple[str | None, ...], data: st.DataObject
 ) -> None:
     """Write tables `[[a]]`, each with some `[[a.b]]`, and an unknown field in some of the innermost tables."""
-    union, lines, expected = kind, [], {}
-    if (config := kind.__struct_config__).tag:  # a family of arms
-        union, lines = cast("type[msgspec.Struct]", ArmFile), [f'{config.tag_field} = "{config.tag}"']
+    lines: list[str] = []
+    expected: dict[str, int] = {}
 
     def write(depth: int, header: list[str], where: tuple[str | int, ...]) -> None:
         if depth == len(path):
@@ -100,7 +98,7 @@ def test_unknown_field_is_reported_with_its_index_and_line(
             write(depth + 1, [*header, part], (*where, part))
 
     write(0, [], ())
-    _, problems = examine(union, Text("f.toml", "\n".join(lines)))
+    _, problems = examine(kind, Text("f.toml", "\n".join(lines)))
     sentences = [problem.sentence("f.toml", "\n".join(lines)) for problem in problems]
     found = {m[2]: int(m[1]) for m in (re.match(r"f\.toml:(\d+): (\S*nonsense): ", one) for one in sentences) if m}
     if any("nonsense" in one for one in sentences):  # a table without the field that selects its type gives one error

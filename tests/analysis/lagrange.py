@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import numpy as np
 
-from aftdeck.arms.geometry import PRONG, STAND
 from aftdeck.arms.load import ArmModel
 from aftdeck.arms.masses import masses_of
 from aftdeck.arrays import Array
@@ -20,6 +19,7 @@ def mass_matrix(model: ArmModel, payload: MassProperties | None, coordinates: tu
     """Return the sum of m Jv' Jv + Jw' I Jw over all bodies, and the motors' inertias."""
     at = dict(zip(coordinates, q, strict=True))
     frames, chain = frames_of(model), model.linkage.frames
+    stand, prong = (None if joint is None else joint.frame for joint in (model.telescope, model.prong))
     rows = frames.rows()
     angles = np.array([at[f"motor.{name}"] for name in model.joints])
     place_frames(frames.joints, angles, float(model.links[0]) + at.get("telescope", 0.0), at.get("prong", 0.0), rows)
@@ -35,10 +35,10 @@ def mass_matrix(model: ArmModel, payload: MassProperties | None, coordinates: tu
             if name == "telescope":
                 moving[2, k] = -1.0
             elif name == "prong":
-                moving[:, k] = poses[chain[-1]][1][:, 1] if frame == PRONG else 0.0
+                moving[:, k] = poses[chain[-1]][1][:, 1] if frame == prong else 0.0
             else:
                 joint = model.joints.index(name.removeprefix("motor."))
-                if frame != STAND and (frame == PRONG or chain.index(frame) > joint):
+                if frame != stand and (frame == prong or chain.index(frame) > joint):
                     origin, carried = poses[chain[joint + 1]]
                     turning[:, k] = carried @ model.linkage.axes[joint]
                     moving[:, k] = np.cross(turning[:, k], centre - origin)

@@ -200,12 +200,12 @@ def test_slow_poles_are_those_of_the_equations_in_continuous_time(name: str, fle
     assert servo is not None
     damper, inner = found.damping.copy(), np.linalg.inv(found.mass_matrix(BENT))
     slides = [k for k, one in enumerate(found.coordinates) if one in ("telescope", "prong")]
-    for joint, gain in zip(found.arm.joints, servo.gain, strict=True):
-        at = found.coordinates.index(f"motor.{joint}")
+    for turn, gain in zip(found.arm.joints, servo.gain, strict=True):
+        at = found.coordinates.index(f"motor.{turn}")
         damper[at, at] += gain
-    if found.arm.model.slides is not None:
-        for at, gain in zip(slides, found.arm.model.slides[::2], strict=True):
-            damper[at, at] += gain
+    for at, joint in zip(slides, found.arm.model.switched, strict=True):
+        assert joint.drive is not None
+        damper[at, at] += joint.drive.gain
     state = np.block([[np.zeros((n, n)), np.eye(n)], [-inner @ found.stiffness, -inner @ damper]])
     poles = np.linalg.eigvals(state)
     expected = poles[(np.abs(poles) < 10.0) & (np.abs(poles) > 1e-3)]

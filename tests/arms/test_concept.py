@@ -11,26 +11,21 @@ import numpy as np
 import pytest
 
 import aftdeck
-from aftdeck.arms.constant import Constant
-from aftdeck.arms.load import HERE
-from aftdeck.arms.model import HeadingArmFile
+from aftdeck.arms.load import HERE, model_of
+from aftdeck.arms.masses import masses_of
+from aftdeck.arms.solids import solids_of
 from aftdeck.errors import ScenarioError
+from aftdeck.files import Text, read
 
 FOOT = 0.3048
 TEXT = (HERE / "concept-1972.toml").read_text(encoding="utf-8")
 
 
-@pytest.fixture(scope="module")
-def file() -> HeadingArmFile:
-    source = aftdeck.load_arm("concept-1972").model.source
-    assert isinstance(source, HeadingArmFile)
-    return source
-
-
 def problems(tmp_path: Path, old: str, new: str) -> list[str]:
     assert old in TEXT
     bad = tmp_path / "bad.toml"
-    bad.write_text(TEXT.replace(old, new, 1), encoding="utf-8")
+    text = TEXT.replace('shapes = "concept-1972.shapes.toml"', "# no shapes", 1)
+    bad.write_text(text.replace(old, new, 1), encoding="utf-8")
     with pytest.raises(ScenarioError) as caught:
         aftdeck.load_arm(bad)
     return list(caught.value.problems)
@@ -58,20 +53,16 @@ def test_vernier_limits_are_a_third_of_the_coarse_limits() -> None:
         assert np.degrees(por.rotation) == pytest.approx((5, 5 / 3), rel=1e-4)
 
 
-def test_every_constant_of_the_concept_arm_has_a_source(file: HeadingArmFile) -> None:
-    tables = (file.geometry, file.mount, file.stand, file.booms, file.effector, file.limits, file.rates, file.masses)
-    constants = [getattr(table, name) for table in tables for name in table.__struct_fields__]
-    assert len(constants) > 35 and all(isinstance(c, Constant) and c.source for c in constants)
-
-
 def corners(begin: float, end: float, half_width: float) -> np.ndarray:
     """Return the corners (8, 3) of a square boom along x."""
     return np.array(list(product((begin, end), (-half_width, half_width), (-half_width, half_width))))
 
 
-def test_bisecting_plane_separates_the_booms_at_the_elbow_limit(file: HeadingArmFile) -> None:
-    bend = -file.limits.soft.value[2][0]
-    half_width, set_back = 0.5 * file.booms.side.value, file.booms.set_back.value
+def test_bisecting_plane_separates_the_booms_at_the_elbow_limit() -> None:
+    model = aftdeck.load_arm("concept-1972").model
+    bend = -model.limits.hard[2, 0]
+    set_back, least_y, _ = boom("lower boom").min(axis=0)
+    half_width = -least_y
     lower = corners(set_back, 7.0, half_width)
     c, s = math.cos(bend), math.sin(bend)
     back = np.array([[-c, 0.0, -s], [0.0, 1.0, 0.0], [s, 0.0, -c]])  # from the elbow along the upper arm
@@ -85,33 +76,56 @@ def test_bisecting_plane_separates_the_booms_at_the_elbow_limit(file: HeadingArm
     assert (thicker @ normal).min() < 0.0
 
 
+def boom(part: str) -> np.ndarray:
+    """Return the vertices (8, 3) of a part of the concept arm, in the frame that carries it."""
+    (found,) = [s.vertices for s in solids_of(aftdeck.load_arm("concept-1972").model) if s.part == part]
+    return found
+
+
+def test_parts_clear_each_other_at_the_wrist_and_at_the_housings() -> None:
+    """The wrist bends in any direction: corners count. Housings stay behind the end planes of the booms."""
+    hard = np.abs(aftdeck.load_arm("concept-1972").limits.hard).max(axis=1)
+    heading, pitch = min(hard[3], math.pi), min(hard[4], math.pi)
+    bend = math.acos(min(math.cos(h) * math.cos(p) for h in (0.0, heading) for p in (0.0, pitch)))
+    ends = {}
+    for part in ("lower boom", "stub"):
+        ends[part], half, _ = np.abs(boom(part)).min(axis=0)
+        assert ends[part] >= math.sqrt(2.0) * half * math.tan(0.5 * bend)
+    for part, end in (("shoulder", ends["lower boom"]), ("elbow", ends["lower boom"]), ("wrist", ends["stub"])):
+        assert np.linalg.norm(boom(part), axis=1).max() <= end
+
+
+def test_parts_fit_together() -> None:
+    model = aftdeck.load_arm("concept-1972").model
+    assert model.telescope is not None and model.prong is not None
+    low, high = boom("telescope").min(axis=0), boom("telescope").max(axis=0)
+    assert high[2] - low[2] == pytest.approx(model.telescope.greatest - model.telescope.least)
+    assert (high[:2] <= boom("stand").max(axis=0)[:2]).all()  # the tube slides in the sleeve
+    assert boom("stub").max(axis=0)[0] == boom("palm").min(axis=0)[0]
+    assert boom("palm").max(axis=0)[0] == boom("prong").min(axis=0)[0] == model.linkage.tip[0]
+    assert model.prong.greatest - boom("prong").max(axis=0)[1] < model.prong.facing
+
+
 @pytest.mark.parametrize(
     ("old", "new", "pattern"),
     [
-        (
-            '[booms.set_back] # distance of both ends of ARM 0 and ARM 1 from the pins\nvalue = "1 ft"',
-            '[booms.set_back]\nvalue = "0.95 ft"',
-            r"booms .*0\.28956 m.*elbow.* 126 deg",
-        ),
-        ('["-126 deg", "-3 deg"]', '["-127.5 deg", "-3 deg"]', r"bend .*127\.5 deg.*hard stops"),
-        ('["0.5 ft", "1.5 ft"]', '["0.4 ft", "1.5 ft"]', r"booms: .*stub.*0\.12192 m.*wrist"),
-        ('["0.5 ft", "1.5 ft"]', '["0.5 ft", "0.5 ft"]', r"booms\.stub: .* end "),
-        (
-            '[booms.elbow_housing]\nvalue = "1 ft"',
-            '[booms.elbow_housing]\nvalue = "1.2 ft"',
-            r"booms\.elbow_housing: its",
-        ),
-        ('value = "9.5 ft"', 'value = "0.5 ft"', r"stand\.top_below_shoulder: .*less than the least length"),
-        ('value = "12 ft"', 'value = "19 ft"', "stand: .*least.*start.*greatest"),
-        ('value = "1 ft/s"', 'value = "0 ft/s"', r"stand\.rate\.value: .*0 m/s; .*1e-06 to 10 m/s"),
-        ('value = "-1.25 ft"', 'value = "-0.25 ft"', "effector: .*prong.*fixed finger"),
-        ('["1.5 ft", "2 ft"]', '["2 ft", "1.5 ft"]', r"effector\.palm: .* end "),
-        ('value = "1.75 ft"', 'value = "0 ft"', r"effector\.palm_half_width\.value: .*0 m; .*0\.0005 to 200 m"),
-        ('value = "25 ft"', 'value = "0 ft"', r"geometry\.upper_arm\.value: .*0 m; .*0\.0005 to 200 m"),
-        ('value = "900 lb"', 'value = "800 lb"', r"masses\.total: .*parts.*408\.2"),
-        ("[geometry.lower_arm]", "[geometry.forearm]", "forearm: unknown.* upper_arm, lower_arm"),
-        ("[stand.rate]", "[stand.speed]", "field 'rate'"),
-        ("hand = ", "wrist = ", r"masses\.parts\.value"),
+        ('start]\nvalue = "12 ft"', 'start]\nvalue = "19 ft"', r"joint\[0\]: .*least.*start.*greatest"),
+        ('value = "1 ft/s"', 'value = "0 ft/s"', r"joint\[0\]\.rate\.value: .*0 m/s; .*1e-06 to 10 m/s"),
+        ('value = "-0.375 ft"', 'value = "0.5 ft"', r"joint\[7\]: .*prong.*fixed finger"),
+        ('high = ["= palm", "1.75 ft"', 'high = ["1 ft", "1.75 ft"', r"bodies\[8\]: palm"),
+        ("axes = [-3, 2, 1]", "axes = [-3, 3, 1]", r"bodies\[8\]: .*numbers 1, 2 and 3"),
+        ("axes = [-3, 2, 1]", "axes = [-4, 2, 1]", r"bodies\[8\]\.axes\[0\]"),
+        ('frame = "arm.prong"', 'frame = "arm.finger"', r"bodies\[10\]\.frame: .*arm\.prong"),
+        ('boom = "25 ft"', 'boom = "0 ft"', "only an arm with a closed form can have a telescope"),
+        ("axis = [0, 1, 0]", "axis = [0, 1, 0.1]", "only an arm with a closed form can have a telescope"),
+        ("axis = [0, 0, -1]", "axis = [0, 0, 1]", r"joint\[0\]: a telescope is the first joint"),
+        ('driver = "prong"', 'driver = "telescope"', r"joint\[7\]\.driver: .*already"),
+        ('driver = "prong"', 'driver = "wheel"', r"joint\[7\]\.driver: .*telescope, prong"),
+        ('driver = "prong"', 'driver = "prong"\non = "stand"', r"joint\[7\]: a prong is on .*wrist_roll"),
+        ('value = "900 lb"', 'value = "800 lb"', r"mass: .*408\.2"),
+        ("\n[dimensions]", "\n[dimension]", "dimension: unknown"),
+        ('boom = "25 ft"', 'bom = "25 ft"', "no dimension is named 'boom'"),
+        ("[joint.rate]", "[joint.speed]", "field 'rate'"),
     ],
 )
 def test_inconsistent_concept_arm_is_rejected_with_its_line(tmp_path: Path, old: str, new: str, pattern: str) -> None:
@@ -120,8 +134,11 @@ def test_inconsistent_concept_arm_is_rejected_with_its_line(tmp_path: Path, old:
     assert all(re.match(r"bad\.toml:\d+: ", problem) for problem in found), found
 
 
-def test_family_selects_the_fields_of_an_arm_file(tmp_path: Path) -> None:
-    found = problems(tmp_path, "heading-pitch-pitch-heading-pitch-roll", "yaw-pitch-pitch-pitch-yaw-roll")
-    assert any("stand: unknown field" in problem for problem in found)
-    found = problems(tmp_path, 'family = "heading-pitch-pitch-heading-pitch-roll"\n', "")
-    assert any("the field 'family' is missing" in problem for problem in found)
+def test_dimension_changes_every_length_that_depends_on_it() -> None:
+    text = TEXT.replace('boom = "25 ft"', 'boom = "26 ft"')
+    model = model_of(Text("longer.toml", text), lambda name: read(HERE / name))
+    assert model.links[1:3] == pytest.approx([26 * FOOT] * 2)
+    for solid in solids_of(model):
+        if "boom" in solid.part:
+            assert solid.vertices[:, 0].max() == pytest.approx(25 * FOOT)
+    assert masses_of(model).bodies["arm.elbow_pitch"].centre == pytest.approx([13 * FOOT, 0.0, 0.0])

@@ -2,19 +2,18 @@
 
 from __future__ import annotations
 
+import re
 from pathlib import Path
 
-import msgspec
 import numpy as np
 import pytest
 
-from aftdeck.arms.links import Link, links_of
+from aftdeck.arms.link_file import RodLink
+from aftdeck.arms.links import Link, rods_of
 from aftdeck.arms.load import HERE, model_of
-from aftdeck.arms.model import YawArmFile
 from aftdeck.bodies.mass_properties import MassProperties, about, cylinder, joined, sphere
 from aftdeck.errors import ScenarioError
 from aftdeck.files import Text
-from aftdeck.recording.old_arm import of_today
 from tests.each import each, seeds
 from tests.loaded import arm
 
@@ -60,19 +59,32 @@ def test_boom_is_taken_apart_into_the_rod_and_the_housings_of_which_it_was_made(
 
 def test_links_of_the_shuttle_have_the_moments_of_their_file_about_their_joints() -> None:
     file = arm().model.source
-    assert isinstance(file, YawArmFile) and file.links is not None
-    for link, given in zip(links_of(file), file.links.inertia.value, strict=True):
+    given = [link.moments for link in (file.foot, *(joint.link for joint in file.joint)) if isinstance(link, RodLink)]
+    assert len(given) == 7
+    for (_, _, link), moments in zip(rods_of(file), given, strict=True):
         body = link.whole()
         whole = body.inertia + about(body.mass, body.centre - link.begin)
-        assert np.linalg.eigvalsh(whole) == pytest.approx(sorted(given))
+        assert np.linalg.eigvalsh(whole) == pytest.approx(sorted(moments))
 
 
-@pytest.mark.parametrize(("old", "new"), [("[1.59, 632.9, 632.51]", "[1.59, 632.9, 2.51]"), ("0.686", "9.686")])
-def test_link_that_no_body_can_be_is_named(old: str, new: str) -> None:
+@pytest.mark.parametrize(
+    ("old", "new", "place"),
+    [
+        ("[1.59, 632.9, 632.51]", "[1.59, 632.9, 2.51]", "joint[2].link.moments"),
+        ("0.686", "9.686", "foot.moments"),
+        ('[["30 in", 0.0, 0.0], ["56 in", 0.0, 0.0]]', '[["56 in", 0.0, 0.0], ["56 in", 0.0, 0.0]]', "joint[5].link"),
+        ('[["30 in", 0.0, 0.0], ["56 in", 0.0, 0.0]]', '[["30 in", 0.0, 0.0], ["56 in", 0.1, 0.0]]', "joint[5].link"),
+        ('part = "foot"\n', 'part = "foot"\nradius = 0.1\n', "foot.radius"),
+        ("torsion = 2.1e6\n", "", "joint[2].link"),
+        ("mass = 87.42", "mass = 8.742", "mass"),
+        ("[sources.moments]", "[sources.inertia]", "foot: no source of `moments`"),
+    ],
+)
+def test_link_that_cannot_be_is_rejected_with_its_place(old: str, new: str, place: str) -> None:
     model = arm().model
+    assert old in model.text
     text = model.text.replace(old, new, 1)
-    assert text != model.text
-    with pytest.raises(ScenarioError, match=r"links\.inertia"):
+    with pytest.raises(ScenarioError, match=re.escape(place)):
         model_of(Text("bad.toml", text), lambda _: model.shapes or Text("", ""))
 
 
@@ -80,13 +92,13 @@ def test_arm_of_an_old_recording_keeps_its_masses() -> None:
     old, shapes = OLD.read_text(encoding="utf-8"), HERE / "srms.shapes.toml"
     assert "yaw_housing" in old
     plain, full = (
-        model_of(of_today(Text("old", old + more)), lambda _: Text("shapes", shapes.read_text(encoding="utf-8"))).source
+        model_of(Text("old", old + more), lambda _: Text("shapes", shapes.read_text(encoding="utf-8"))).source
         for more in ("", HOUSINGS)
     )
-    assert isinstance(plain, YawArmFile) and isinstance(full, YawArmFile) and plain.links is None
-    for file in (plain, full):
-        assert sum(msgspec.structs.astuple(file.masses.parts.value)) == pytest.approx(file.masses.total.value, rel=1e-3)
-    links = {link.name: link for link in links_of(full)}
+    assert not any(joint.link for joint in plain.joint) and plain.foot is None
+    assert plain.mass is not None and full.mass is not None
+    links = {link.name: link for _, _, link in rods_of(full)}
+    assert sum(link.mass for link in links.values()) == pytest.approx(full.mass.value, rel=1e-3)
     for name, rod, tip in (("upper_boom", 55.0, 32.5), ("lower_boom", 50.0, 20.0)):
         shares = links[name].shares()
         assert (shares.rod, shares.tip.mass) == pytest.approx((rod, tip), rel=1e-3)
@@ -94,8 +106,3 @@ def test_arm_of_an_old_recording_keeps_its_masses() -> None:
         body = links[name].whole()
         assert (body.mass, body.centre[0]) == pytest.approx((mass, centre * 0.0254), rel=1e-6)
     assert np.diagonal(links["wrist_yaw"].whole().inertia) == pytest.approx([1.0, 5.0, 5.0])
-
-
-def test_other_texts_are_left_as_they_are() -> None:
-    for text in ("", "[masses", "masses = 1", "[masses.parts]\nvalue = 3", arm().model.text):
-        assert of_today(Text("any", text)).text == text

@@ -10,7 +10,6 @@ import pytest
 
 import aftdeck
 from aftdeck.arms.load import HERE, ArmModel, load_model
-from aftdeck.arms.model import HeadingArmFile
 from aftdeck.arms.shapes import shapes_of
 from aftdeck.arms.solids import solids_of
 from aftdeck.arrays import Array
@@ -34,12 +33,6 @@ ARMS = pytest.mark.parametrize("name", ["srms", "concept-1972"])
 @pytest.fixture(scope="module")
 def concept() -> ArmModel:
     return load_model("concept-1972")
-
-
-@pytest.fixture(scope="module")
-def file(concept: ArmModel) -> HeadingArmFile:
-    assert isinstance(concept.source, HeadingArmFile)
-    return concept.source
 
 
 def depth(points: Array, solids: list[Solid]) -> Array:
@@ -108,34 +101,33 @@ def test_palm_face_d_points_outward_with_the_tip_at_its_centre(concept: ArmModel
     assert face(solid_of(concept, "palm"), "c")[0] == pytest.approx([-1.0, 0.0, 0.0])
 
 
-def test_finger_faces_b_and_e_face_each_other(concept: ArmModel, file: HeadingArmFile) -> None:
+def test_finger_faces_b_and_e_face_each_other(concept: ArmModel) -> None:
     normal, corners = face(solid_of(concept, "fixed finger"), "b")
     assert normal == pytest.approx([0.0, -1.0, 0.0])
-    assert corners[:, 1] == pytest.approx(np.full(4, file.effector.fixed_finger.value))
+    assert concept.prong is not None
+    assert corners[:, 1] == pytest.approx(np.full(4, concept.prong.facing))
     prong = solid_of(concept, "prong")
     normal, corners = face(prong, "e")
     assert prong.frame == "arm.prong" and normal == pytest.approx([0.0, 1.0, 0.0])
     assert corners[:, 1] == pytest.approx(np.zeros(4))  # the frame of the prong is at this face
 
 
-def test_first_vertices_of_the_palm_are_those_of_the_report(concept: ArmModel, file: HeadingArmFile) -> None:
+def test_first_vertices_of_the_palm_are_those_of_the_report(concept: ArmModel) -> None:
     # v1 = -W Y2 + H Z2 at the palm's inner end; v2 = v1 + L X2
-    e = file.effector
     v1, v2 = solid_of(concept, "palm").vertices[:2]
-    assert v1 == pytest.approx([e.palm.value[0], -e.palm_half_width.value, e.palm_half_height.value])
-    assert v2 - v1 == pytest.approx([e.palm.value[1] - e.palm.value[0], 0.0, 0.0])
+    assert v1 == pytest.approx([1.5 * FOOT, -1.75 * FOOT, 0.5 * FOOT])
+    assert v2 - v1 == pytest.approx([0.5 * FOOT, 0.0, 0.0])
 
 
 @pytest.mark.parametrize("share", np.linspace(0.0, 1.0, 9))
-def test_telescope_is_covered_from_its_foot_to_below_the_shoulder(
-    concept: ArmModel, file: HeadingArmFile, share: float
-) -> None:
-    s = file.stand
-    height = s.least.value + share * (s.greatest.value - s.least.value)
+def test_telescope_is_covered_from_its_foot_to_below_the_shoulder(concept: ArmModel, share: float) -> None:
+    assert concept.telescope is not None
+    least, greatest = concept.telescope.least, concept.telescope.greatest
+    height = least + share * (greatest - least)
     rows = rows_of(concept, np.zeros(6), height)
     solids = [in_base(solid, rows) for solid in solids_of(concept) if solid.part in ("stand", "telescope")]
     assert len(solids) == 2
-    half, top = 0.5 * s.tube_side.value, height - s.top_below_shoulder.value
+    half, top = 0.5 * FOOT, height - 0.8 * FOOT
     for up in np.linspace(0.0, top, 200):
         ring = np.array([[x, y, -up] for x in (-half, half) for y in (-half, half)])
         assert depth(ring, solids).max() <= 1e-12

@@ -8,8 +8,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from aftdeck.arms.fairings import fairings_of
-from aftdeck.arms.model import HeadingArmFile
+from aftdeck.arms.shapes import shapes_of
 from aftdeck.arrays import Array
 from aftdeck.details.details_of import details_of
 from aftdeck.details.fittings import BEYOND
@@ -19,6 +18,7 @@ from aftdeck.details.satellites import KINDS
 from aftdeck.details.skin import CLEAR, PROUD, Skin
 from aftdeck.errors import ScenarioError
 from aftdeck.frames import endori
+from aftdeck.kinematics.linkage import L2
 from aftdeck.matrices import product
 from aftdeck.scenario.load import built_in, load_scenario
 from aftdeck.scenario.model import Scenario
@@ -142,23 +142,19 @@ def test_patch_with_a_fixture_is_divided_around_it() -> None:
 
 def test_fairings_close_the_gaps_between_the_boxes_at_every_joint() -> None:
     model = loaded.scenario("concept-1972").arm.model
-    assert isinstance(model.source, HeadingArmFile)
-    fairings = fairings_of(model.source, model.linkage.frames)
-    assert set(fairings) <= set(model.frames)
+    fairings = shapes_of(model).details
     for frame in model.linkage.frames[2:4]:
         reach = vertices(fairings[frame])[:, 0]
-        assert reach.min() <= 0.0 and reach.max() >= model.source.geometry.upper_arm.value  # from pin to pin
+        assert reach.min() <= 0.0 and reach.max() >= model.links[L2]  # from pin to pin
     hand = vertices(fairings[model.linkage.frames[6]])[:, 0]
-    assert hand.min() <= 0.0 and hand.max() <= model.source.effector.palm.value[1] + ROUNDING
+    assert hand.min() <= 0.0 and hand.max() <= model.linkage.tip[0] + ROUNDING
 
 
 def test_fairings_leave_the_tip_and_the_fingers_free() -> None:
     model = loaded.scenario("concept-1972").arm.model
-    assert isinstance(model.source, HeadingArmFile)
-    front = model.source.effector.palm.value[1]
-    assert "arm.prong" not in fairings_of(model.source, model.linkage.frames)
-    points = vertices(fairings_of(model.source, model.linkage.frames)[model.linkage.frames[6]])
-    assert points[:, 0].max() < front
+    fairings = shapes_of(model).details
+    assert not fairings["arm.prong"]
+    assert vertices(fairings[model.linkage.frames[6]])[:, 0].max() < model.linkage.tip[0]
 
 
 def test_lamp_among_details_is_rejected_with_its_place(tmp_path: Path) -> None:

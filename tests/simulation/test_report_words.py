@@ -101,9 +101,9 @@ def planes(frame: Frame, sim: aftdeck.Simulation) -> list[tuple[float, ...] | No
     """
     if any(cargo.held for cargo in frame.work.cargo):
         tip, (x2, y2, _) = np.array(frame.position), np.array(frame.orientation).T
-        prong = sim.scenario.arm.model.equipment.prong
+        prong = sim.scenario.arm.model.prong
         assert prong is not None and frame.work.hand.spacing is not None
-        finger = prong.fixed_finger
+        finger = prong.facing
         inner = ((x2, 0.0 * x2), (-y2, finger * y2), (y2, (finger - frame.work.hand.spacing) * y2))
         return [(*n.tolist(), float(n @ (tip + at))) for n, at in inner]
     near = [pair for pair in sim.watched() if pair.b.endswith("receptacle")]

@@ -37,7 +37,7 @@ def test_row_has_the_metrics_of_the_run(tmp_path: Path) -> None:
 def test_recording_of_a_case_can_be_re_simulated(tmp_path: Path) -> None:
     text = (
         HEAD + '[[factor]]\nname = "arm"\n[[factor.level]]\nname = "long"\n'
-        'set = { arm = "concept-1972", "arm.geometry.upper_arm.value" = "27 ft", worksite = "concept-1972" }\n'
+        'set = { arm = "concept-1972", "arm.dimensions.boom" = "27 ft", worksite = "concept-1972" }\n'
     )
     study = loaded(tmp_path, text.replace('"27 ft",', '"27 ft", "initial.joints" = [0, 0.6, -1.9, 0, 0, 0],'))
     recording = tmp_path / "case.mcap"

@@ -70,9 +70,9 @@ FACTOR = "[[factor]]\n"
         ),
         pytest.param(HEAD + FACTOR + 'key = "arm"\nlevels = ["srms", "canada"]\n', 5, "concept-1972", id="no such arm"),
         pytest.param(
-            HEAD + FACTOR + 'key = "arm.geometry.upper_arm.value"\nlevels = [7.0]\n',
+            HEAD + FACTOR + 'key = "arm.joint[0].step"\nlevels = [7.0]\n',
             5,
-            "geometry",
+            "step",
             id="arm key of the wrong kind",
         ),
         pytest.param(

@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 
 from aftdeck.arms.load import load_model
-from aftdeck.arms.model import HeadingArmFile
+from aftdeck.arms.solids import solids_of
 from aftdeck.scenario.load import load_scenario
 from aftdeck.simulation.frame import Frame
 from aftdeck.simulation.run import Simulation
@@ -44,12 +44,11 @@ def test_the_plane_at_the_elbow_is_valid_up_to_the_bend_that_the_set_back_permit
         for plane in explained(scene, frame, scene.aim(frame, "ENG", 4 / 3)).bisectors
         if (plane.first, plane.second) == ("upper boom", "lower boom")
     )
-    file = load_model("concept-1972").source
-    assert isinstance(file, HeadingArmFile)
-    booms = file.booms
-    least = 0.5 * booms.side.value * math.tan(0.5 * elbow.bend)
+    boom = next(solid for solid in solids_of(load_model("concept-1972")) if solid.part == "lower boom")
+    set_back, least_y, _ = boom.vertices.min(axis=0)
+    least = -least_y * math.tan(0.5 * elbow.bend)
     assert elbow.bend == pytest.approx(math.radians(bend), abs=1e-9)
-    assert elbow.valid == (least <= booms.set_back.value)
+    assert elbow.valid == (least <= set_back)
     assert elbow.valid == (bend < 127)
 
 

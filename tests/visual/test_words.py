@@ -53,7 +53,7 @@ def test_words_since_the_initialisation_give_the_scene(flown: tuple[Path, tuple[
 def test_scene_obeys_the_inhibits(tmp_path: Path) -> None:
     """The end effector leans over the payload, so that the prong closes on its side; then random inputs."""
     made, path = concept.scenario((28.0, -2.7, 0.95), (-20.0, 0.0, 0.0)), tmp_path / "words.jsonl"
-    rng, prong = np.random.default_rng(5), made.arm.model.equipment.prong
+    rng, prong = np.random.default_rng(5), made.arm.model.prong
     given = [Inputs(effector="close"), *[Inputs()] * 200, *[Inputs(telescope=-1.0)] * 50, Inputs(effector="open")]
     each = iter([*given, *random_inputs(rng, 600, 0.3)])
     with writing(made, path) as stepped:

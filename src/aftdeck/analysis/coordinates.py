@@ -40,7 +40,7 @@ def finite(values: ArrayLike, what: str) -> Array:
 
 def opened(model: ArmModel) -> float:
     """Return the position of the open prong [m]; 0 without a prong."""
-    return 0.0 if model.equipment.prong is None else model.equipment.prong.opened
+    return 0.0 if model.prong is None else model.prong.least
 
 
 def of_all(values: ArrayLike, motors: Indices, others: Array, what: str) -> Array:

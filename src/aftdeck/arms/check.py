@@ -1,75 +1,62 @@
-"""Checks of an arm file that field types cannot express: bodies, the order of the limits, and the sum of the masses.
+"""Checks of an arm file that field types cannot express: sources, names, order of limits, bodies, sum of the masses.
 
-`arms.bodies` checks the tables that only a concept arm has: `stand`, `booms` and `effector`. `arms.dynamics` checks
-the brakes, and `arms.links` the links of an arm of the Shuttle's family.
+`arms.joint_check` checks the joints, `arms.dynamics` the brakes and springs, and `arms.links` the links that are rods.
 """
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from itertools import pairwise
 
-from aftdeck.arms.blocks import blocks_of
-from aftdeck.arms.bodies import body_problems
-from aftdeck.arms.chain_check import joint_problems
-from aftdeck.arms.covers import corners, cover_problem
+from aftdeck.arms.body_file import BlockBody
+from aftdeck.arms.covers import cover_problem
 from aftdeck.arms.dynamics import drive_problems
-from aftdeck.arms.geometry import frames_of, linkage_of
-from aftdeck.arms.limits import limit_problems, limits_of, rates_of
-from aftdeck.arms.links import link_problems
-from aftdeck.arms.model import ArmFile, ChainArmFile, HeadingArmFile, PorRow, YawArmFile
-from aftdeck.bodies.hexahedron_check import hexahedron
-from aftdeck.errors import InputError
+from aftdeck.arms.geometry import FOOT, frame_of
+from aftdeck.arms.joint_check import joint_problems
+from aftdeck.arms.links import rod_problems
+from aftdeck.arms.model import ArmFile, PorRow
 from aftdeck.files import Problem
 
 MASS_TOLERANCE = 1e-3
 """Greatest allowed difference between the sum of the parts' masses and the total mass, as a fraction of the sum [1]."""
-
 LEAST_STEP = 0.001
 """Least difference of the masses of two rows of limits, between which limits are interpolated [kg] (assumed)."""
 
 
 def arm_problems(file: ArmFile) -> list[Problem]:
     """Return every problem in a decoded arm file, each with its place in the file."""
-    found = body_problems(file) if isinstance(file, HeadingArmFile) else _cover_problems(file)
-    if isinstance(file, ChainArmFile):
-        found += joint_problems(file)
-    else:
-        found += limit_problems(file.joints, limits_of(file), rates_of(file))
-        if len(set(file.joints)) < len(file.joints):
-            found.append(Problem(("joints",), f"has to be different names, got {', '.join(file.joints)}"))
-        found += _mass_problems(file)
-    if not found and isinstance(file, HeadingArmFile):
-        found = _block_problems(file)
-    if isinstance(file, YawArmFile):
-        found += link_problems(file)
-    return found + _por_problems(file.por) + drive_problems(file)
+    return [
+        *joint_problems(file),
+        *_body_problems(file),
+        *_mass_problems(file),
+        *rod_problems(file),
+        *_por_problems(file.por),
+        *drive_problems(file),
+    ]
 
 
-_TABLE_OF = {"stand": "stand", "telescope": "stand", **dict.fromkeys(("palm", "fixed finger", "prong"), "effector")}
-"""Table of a block's dimensions, for the blocks whose table is not `booms`."""
-
-
-def _block_problems(file: HeadingArmFile) -> list[Problem]:
-    """Return a problem for each body of a concept arm that is too thin to be a solid."""
-    found = []
-    for block in blocks_of(file, linkage_of(file).frames):
-        try:
-            hexahedron(corners(block.low, block.high, block.axes), block.part)
-        except InputError as error:
-            found.append(Problem((_TABLE_OF.get(block.part, "booms"),), str(error)))
-    return found
-
-
-def _cover_problems(file: YawArmFile | ChainArmFile) -> list[Problem]:
-    frames = frames_of(*file.joints) if isinstance(file, ChainArmFile) else linkage_of(file).frames
-    found = []
+def _body_problems(file: ArmFile) -> Iterator[Problem]:
+    frames = [FOOT, *(frame_of(joint.name) for joint in file.joint)]
     for i, body in enumerate(file.bodies):
         if body.frame not in frames:
             what = f"{body.frame!r} is not a frame of the arm; the frames are: {', '.join(frames)}"
-            found.append(Problem(("bodies", i, "frame"), what))
+            yield Problem(("bodies", i, "frame"), what)
         if problem := cover_problem(body, body.part):
-            found.append(Problem(("bodies", i), problem))
-    return found
+            yield Problem(("bodies", i), problem)
+
+
+def _mass_problems(file: ArmFile) -> Iterator[Problem]:
+    """Yield a problem if the published mass is not the sum of the masses that a telescope does not carry alone."""
+    if file.mass is None:
+        return
+    alone = frame_of(file.slides[0].name) if file.slides and file.slides[0] is file.joint[0] else ""
+    links = [(FOOT, file.foot), *((frame_of(joint.name), joint.link) for joint in file.joint)]
+    masses = [float(link.mass) for frame, link in links if link is not None and frame != alone]
+    blocks = [body for body in file.bodies if isinstance(body, BlockBody) and body.frame != alone]
+    total = sum(masses) + sum(float(block.mass) for block in blocks if block.mass is not None)
+    if total and abs(total - file.mass.value) > MASS_TOLERANCE * total:
+        what = f"has to be the sum of the masses of links and bodies, {total:g} kg; got {file.mass.value:g} kg"
+        yield Problem(("mass",), what)
 
 
 def _por_problems(rows: tuple[PorRow, ...]) -> list[Problem]:
@@ -93,12 +80,3 @@ def _por_problems(rows: tuple[PorRow, ...]) -> list[Problem]:
             what = f"vernier limits have to be at most the coarse limits, got {', '.join(f'{v:g}' for v in values)}"
             found.append(Problem(where, what))
     return found
-
-
-def _mass_problems(file: YawArmFile | HeadingArmFile) -> list[Problem]:
-    parts, published = file.masses.parts.value, file.masses.total.value
-    total = sum(getattr(parts, name) for name in parts.__struct_fields__)
-    if abs(total - published) <= MASS_TOLERANCE * total:
-        return []
-    what = f"has to be the sum of the parts' masses, {total:g} kg; got {published:g} kg"
-    return [Problem(("masses", "total"), what)]

@@ -16,6 +16,13 @@ class Part(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     """Table of an arm file; unknown fields are rejected."""
 
 
+class Cited(Part, frozen=True):
+    """Source and confidence of a quantity that several tables have."""
+
+    source: Text
+    confidence: Confidence
+
+
 class Constant(Part, Generic[_T], frozen=True):
     """Value with its source and its confidence."""
 

@@ -1,10 +1,10 @@
-"""Hexahedra of the covers that a file lists. Their coordinates are in the frame of the covered body."""
+"""Hexahedra of the covers and blocks that a file lists. Their coordinates are in the frame of the body."""
 
 from __future__ import annotations
 
 import numpy as np
 
-from aftdeck.arms.model import BoxCover, Cover
+from aftdeck.arms.body_file import BlockBody, BoxCover, Cover
 from aftdeck.arrays import Array
 from aftdeck.bodies.cover import prism
 from aftdeck.bodies.hexahedron_check import hexahedron
@@ -13,12 +13,16 @@ from aftdeck.frames import endori
 from aftdeck.matrices import product
 
 
-def hexahedra(cover: Cover, part: str) -> Array:
-    """Return the vertices (n, 8, 3) [m] of a part's cover, with its rotation and position applied.
+def hexahedra(cover: Cover | BlockBody, part: str) -> Array:
+    """Return the vertices (n, 8, 3) [m] of a part's cover, with its rotation and position applied, or of a block.
 
     Raises:
-        InputError: the cover's sizes are invalid.
+        InputError: the sizes are invalid.
     """
+    if isinstance(cover, BlockBody):
+        vertices = corners(cover.low, cover.high, cover.axes)
+        hexahedron(vertices, part)
+        return vertices[None]
     if isinstance(cover, BoxCover):
         found = corners((-0.5, -0.5, -0.5), (0.5, 0.5, 0.5))[None] * cover.size
     else:
@@ -28,8 +32,8 @@ def hexahedra(cover: Cover, part: str) -> Array:
     return np.asarray(product(found, endori(*cover.rotation).T) + cover.position)
 
 
-def cover_problem(cover: Cover, part: str) -> str:
-    """Return the error message about a cover's sizes, or an empty string if the sizes are valid."""
+def cover_problem(cover: Cover | BlockBody, part: str) -> str:
+    """Return the error message about the sizes of a cover or block, or an empty string if the sizes are valid."""
     try:
         hexahedra(cover, part)
     except InputError as error:
@@ -47,7 +51,12 @@ def corners(
         high: greatest x, y, z [m].
         axes: for each of the box's own axes x, y and z, the number (1 to 3) of the parallel coordinate axis; negative
             if the two directions are opposite. The box's own axes define the numbers of its vertices.
+
+    Raises:
+        InputError: two of the axes are parallel.
     """
+    if sorted(map(abs, axes)) != [1, 2, 3]:
+        raise InputError(f"expected the numbers 1, 2 and 3 as axes, each with or without a sign; got {axes}")
     ends = (low, high)
     vertices = np.empty((8, 3))
     for v in range(8):

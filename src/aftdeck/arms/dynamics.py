@@ -1,4 +1,4 @@
-"""Values that a plant with masses uses besides the masses: servos, slides and springs of an arm, as arrays."""
+"""Values that a plant with masses uses besides the masses: servos and springs of an arm, as arrays."""
 
 from __future__ import annotations
 
@@ -9,8 +9,10 @@ import numpy as np
 from aftdeck.arms.by_joint import misfit
 from aftdeck.arms.drives import ServoFile
 from aftdeck.arms.geometry import frozen
+from aftdeck.arms.joints import Turn
 from aftdeck.arms.limits import JointRates
-from aftdeck.arms.model import ArmFile, HeadingArmFile, YawArmFile
+from aftdeck.arms.link_file import RodLink
+from aftdeck.arms.model import ArmFile
 from aftdeck.arrays import Array
 from aftdeck.files import Problem
 
@@ -41,29 +43,13 @@ class Servo(NamedTuple):
     tachometer_step: Array
 
 
-class Slides(NamedTuple):
-    """Drives of telescope and prong.
-
-    Attributes:
-        telescope_gain: force for each m/s of speed error [N s/m].
-        telescope_force: greatest force [N].
-        prong_gain: as for the telescope [N s/m].
-        prong_force: greatest force [N].
-    """
-
-    telescope_gain: float
-    telescope_force: float
-    prong_gain: float
-    prong_force: float
-
-
 class Flexibility(NamedTuple):
     """Springs of an arm. Arrays are read-only.
 
     Attributes:
         gearboxes: (n,) stiffness of the gearboxes [N m/rad].
-        bending: (2,) EI of upper and lower boom [N m2].
-        torsion: (2,) GJ of upper and lower boom [N m2].
+        bending: (b,) EI of the booms, from base to tip [N m2].
+        torsion: (b,) GJ of the booms [N m2].
         base: (3,) stiffness of the base about x, y and z of L [N m/rad].
         friction: (n,) torque of friction in the gearboxes while their windup changes [N m]; 0 for none.
         damping: damping of each spring divided by its stiffness [s].
@@ -95,32 +81,25 @@ def servo_of(file: ArmFile, rates: JointRates) -> Servo | None:
     )
 
 
-def slides_of(file: ArmFile) -> Slides | None:
-    """Return the drives of telescope and prong; None if the arm has neither, or the file has no table `slides`."""
-    s = file.slides if isinstance(file, HeadingArmFile) else None
-    if s is None:
-        return None
-    return Slides(
-        float(s.telescope_gain.value),
-        float(s.telescope_force.value),
-        float(s.prong_gain.value),
-        float(s.prong_force.value),
-    )
-
-
 def flexibility_of(file: ArmFile) -> Flexibility | None:
     """Return the springs of a file's arm; None if the file has no table `flexibility`."""
-    f = file.flexibility if isinstance(file, YawArmFile) else None
+    f, booms = file.flexibility, booms_of(file)
     if f is None:
         return None
     return Flexibility(
         frozen(f.gearboxes.value),
-        frozen(f.booms_bending.value),
-        frozen(f.booms_torsion.value),
+        frozen([boom.bending for _, boom in booms]),
+        frozen([boom.torsion for _, boom in booms]),
         frozen(f.base.value),
         frozen(np.zeros(len(file.joints)) if f.friction is None else f.friction.value),
         float(f.damping.value),
     )
+
+
+def booms_of(file: ArmFile) -> list[tuple[int, RodLink]]:
+    """Return the links that bend on a flexible arm, each with the number of its joint in the file."""
+    links = [(i, joint.link) for i, joint in enumerate(file.joint) if isinstance(joint, Turn)]
+    return [(i, link) for i, link in links if isinstance(link, RodLink) and link.radius is not None]
 
 
 def drive_problems(file: ArmFile) -> list[Problem]:
@@ -132,6 +111,13 @@ def drive_problems(file: ArmFile) -> list[Problem]:
         if (constant := getattr(getattr(file, table, None), name, None))
         and (why := misfit(file.joints, constant.value))
     ]
+    if file.flexibility is not None:
+        found += [
+            Problem(("joint", i, "link"), f"{boom.part}: a boom of a flexible arm needs `{name}`")
+            for i, boom in booms_of(file)
+            for name in ("bending", "torsion")
+            if getattr(boom, name) is None
+        ]
     return found or ([] if file.servo is None else _brake_problems(file.joints, file.servo))
 
 

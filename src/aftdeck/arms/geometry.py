@@ -7,8 +7,7 @@ from typing import NamedTuple
 import numpy as np
 
 from aftdeck.arms.chain import packed_chain
-from aftdeck.arms.joints import Slide
-from aftdeck.arms.model import ArmFile, ChainArmFile, HeadingArmFile, YawArmFile
+from aftdeck.arms.model import ArmFile
 from aftdeck.arms.rank import Joint
 from aftdeck.arrays import Array
 from aftdeck.elementary import atan2
@@ -22,10 +21,13 @@ NAMED = ("shoulder", "elbow", "wrist")
 
 FOOT = "arm.base"
 """Name of the frame that is fixed in L."""
-STAND, PRONG = "arm.stand", "arm.prong"
-"""Names of two additional frames of an arm with a telescope and a prong. The frame of the telescope's moving tube has
-L's axes; its origin is on L's axis 3 at the shoulder's height. The prong's frame has the axes of the last joint's
-frame; its origin is moved along Y2 to the prong's inner face."""
+_WRISTS = {PITCH_YAW_ROLL: (2, 1, 1, 1, 2, 0), HEADING_PITCH_ROLL: (2, 1, 1, 2, 1, 0)}
+"""Numbers of the joints' axes, from the foot to the tip, by the kind of wrist of a closed form."""
+_FREE = np.array(
+    [[0, 0, 0], [0, 0, 1], [1, 0, 1], [1, 0, 1], [1, 0, 0], [0, 0, 0], [1, 0, 0]],
+    dtype=np.bool_,
+)
+"""Components that can differ from 0 in a chain with a closed form: of the steps to its six joints, and of its tip."""
 
 
 class Linkage(NamedTuple):
@@ -64,10 +66,58 @@ class Linkage(NamedTuple):
 
 
 def linkage_of(file: ArmFile) -> Linkage:
-    """Return the linkage that a file describes."""
-    if isinstance(file, ChainArmFile):
-        return _of_chain(file)
-    return _of_yaw_arm(file) if isinstance(file, YawArmFile) else _of_heading_arm(file)
+    """Return the linkage that a file describes, with a closed form if the chain of its joints has one.
+
+    The array of any other chain begins as that of a closed form, whose lengths it does not have.
+    """
+    turns, tip = file.turns, frozen(file.tip.value)
+    axes = frozen([frozen(turn.axis) / length(turn.axis) for turn in turns])
+    steps = np.array([turn.step for turn in turns], dtype=np.float64)
+    for slide in file.slides:
+        if slide is file.joint[0]:  # a telescope: the first joint, which turns about its axis, stays at its foot
+            steps[min(1, len(steps) - 1), 2] -= slide.start.value
+    links = closed_form(steps, axes, tip) if all(turn.weight == 1.0 for turn in turns) else None
+    if links is None:
+        joints = tuple(
+            Joint(frozen(step), axis, False, turn.weight, turn.hard)
+            for step, axis, turn in zip(steps, axes, turns, strict=True)
+        )
+        links = np.concatenate([[0.0] * 7, [GENERAL], packed_chain(joints, tip, file.turning)])
+    return Linkage(
+        frozen(links),
+        frozen(steps),
+        axes,
+        tip,
+        (FOOT, *(frame_of(turn.name) for turn in turns)),
+        0.0 if file.end_effector_roll is None else float(file.end_effector_roll.value),
+        ("rank",) if links[7] == GENERAL else NAMED,
+        (False,) * len(turns),
+    )
+
+
+def closed_form(steps: Array, axes: Array, tip: Array) -> Array | None:
+    """Return what the laws of a closed form need, as `Linkage.links`; None if they cannot serve this chain.
+
+    They serve a yaw (or heading) at L's origin and two pitches, whose links lie in one plane; then a wrist with pitch,
+    yaw and roll, or one with heading, pitch and roll whose axes meet in one point.
+
+    Args:
+        steps: (n, 3) as `Linkage.steps`.
+        axes: (n, 3) unit vectors along the joints' axes.
+        tip: (3,) vector from the last joint to the tip [m].
+    """
+    wrist = next((kind for kind, numbers in _WRISTS.items() if np.array_equal(axes, AXES[list(numbers)])), None)
+    if wrist is None or np.any(np.vstack([steps, tip])[~_FREE]):
+        return None
+    height, wrist_link, hand = -steps[1, 2], steps[4, 0], tip[0]
+    (along2, _, drop2), (along3, _, drop3) = steps[2].tolist(), steps[3].tolist()
+    if min(height, wrist_link, hand) < 0.0 or min(along2, along3) <= 0.0:
+        return None
+    if wrist == HEADING_PITCH_ROLL and (drop2 or drop3 or wrist_link):
+        return None
+    lifts = [-atan2(drop2, along2), -atan2(drop3, along3)] if wrist == PITCH_YAW_ROLL else [0.0, 0.0]
+    lengths = [height, length((along2, drop2)), length((along3, drop3)), wrist_link, hand]
+    return np.array([*lengths, *lifts, wrist])
 
 
 def raised(linkage: Linkage, height: float) -> Linkage:
@@ -84,82 +134,6 @@ def frozen(values: object) -> Array:
     return array
 
 
-def _of_yaw_arm(file: YawArmFile) -> Linkage:
-    """Return the linkage of an arm with the joints yaw, pitch, pitch, pitch, yaw, roll.
-
-    The elbow may be above or below the boom line.
-    """
-    g = file.geometry
-    height, wrist = g.shoulder_yaw_to_pitch.value, g.wrist_pitch_to_yaw.value
-    (along2, drop2), (along3, drop3) = g.upper_arm.value, g.lower_arm.value
-    upper, lower = length((along2, drop2)), length((along3, drop3))
-    lift2, lift3 = -atan2(drop2, along2), -atan2(drop3, along3)
-    return Linkage(
-        frozen([height, upper, lower, wrist, g.wrist_yaw_to_tip.value, lift2, lift3, PITCH_YAW_ROLL]),
-        _steps(height, (along2, drop2), (along3, drop3), wrist),
-        _axes(3, 2, 2, 2, 3, 1),
-        frozen([g.wrist_yaw_to_tip.value, 0.0, 0.0]),
-        frames_of("shoulder_yaw", "shoulder_pitch", "elbow_pitch", "wrist_pitch", "wrist_yaw", "wrist_roll"),
-        float(g.end_effector_roll.value),
-    )
-
-
-def _of_heading_arm(file: HeadingArmFile) -> Linkage:
-    """Return the linkage of an arm with the joints heading, pitch, pitch, heading, pitch, roll.
-
-    The wrist's axes intersect in one point; the tip is on the palm's outer face.
-    """
-    height, palm = file.stand.start.value, file.effector.palm.value[1]
-    upper, lower = file.geometry.upper_arm.value, file.geometry.lower_arm.value
-    return Linkage(
-        frozen([height, upper, lower, 0.0, palm, 0.0, 0.0, HEADING_PITCH_ROLL]),
-        _steps(height, (upper, 0.0), (lower, 0.0), 0.0),
-        _axes(3, 2, 2, 3, 2, 1),
-        frozen([palm, 0.0, 0.0]),
-        frames_of("shoulder_heading", "shoulder_pitch", "elbow_pitch", "wrist_heading", "wrist_pitch", "wrist_roll"),
-        0.0,
-    )
-
-
-def _of_chain(file: ChainArmFile) -> Linkage:
-    """Return the linkage of an arm without a closed form.
-
-    Its array begins as that of an arm with a closed form, whose lengths it does not have.
-    """
-    tip = frozen(file.tip.value)
-    joints = tuple(
-        Joint(
-            frozen(joint.step),
-            frozen(joint.axis) / length(joint.axis),
-            isinstance(joint, Slide),
-            joint.weight,
-            joint.hard,
-        )
-        for joint in file.joint
-    )
-    return Linkage(
-        frozen(np.concatenate([[0.0] * 7, [GENERAL], packed_chain(joints, tip, file.turning)])),
-        frozen([joint.step for joint in joints]),
-        frozen([joint.axis for joint in joints]),
-        tip,
-        frames_of(*file.joints),
-        0.0 if file.end_effector_roll is None else float(file.end_effector_roll.value),
-        ("rank",),
-        tuple(joint.slides for joint in joints),
-    )
-
-
-def frames_of(*joints: str) -> tuple[str, ...]:
-    """Return the names of the frames of a linkage: the foot's, and one for each joint."""
-    return FOOT, *(f"arm.{joint}" for joint in joints)
-
-
-def _axes(*numbers: int) -> Array:
-    """Return axes of L, numbered from 1, as unit vectors."""
-    return frozen(AXES[[number - 1 for number in numbers]])
-
-
-def _steps(height: float, upper: tuple[float, float], lower: tuple[float, float], wrist: float) -> Array:
-    """Return `Linkage.steps` (6, 3), the vectors from joint to joint [m]; components: along the arm, 0, down."""
-    vectors = [(0.0, 0.0), (0.0, -height), upper, lower, (wrist, 0.0), (0.0, 0.0)]
-    return frozen([[along, 0.0, down] for along, down in vectors])
+def frame_of(joint: str | None) -> str:
+    """Return the name of the frame behind a joint; None: of the foot's frame."""
+    return FOOT if joint is None else f"arm.{joint}"

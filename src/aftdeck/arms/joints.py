@@ -1,4 +1,4 @@
-"""Joints of an arm file that describes its arm as a chain: a table ``[[joint]]`` for each, from the foot to the tip."""
+"""Joints of an arm file, a table ``[[joint]]`` for each, from the foot to the tip; and sources of their quantities."""
 
 from __future__ import annotations
 
@@ -6,18 +6,11 @@ from typing import Annotated, Literal
 
 import msgspec
 
-from aftdeck.arms.constant import Confidence, Part, Text
-from aftdeck.arms.drives import LinkInertia
+from aftdeck.arms.constant import Cited, Confidence, Constant, Part, Text
+from aftdeck.arms.link_file import Distance, LinkFile, Place
 from aftdeck.bounds import DIRECTION, Bounds
-from aftdeck.tuples import MOST_JOINTS
-from aftdeck.units import Acceleration, Angle, AngularAcceleration, AngularRate, Length, Mass, Speed
+from aftdeck.units import Angle, AngularAcceleration, AngularRate, Force, LinearDamping, Speed
 
-LONGEST = 200.0
-"""Greatest plausible length of an arm [m]."""
-REAL_LENGTHS = "the Shuttle's arm is 15 m long, Canadarm2 18 m"
-Distance = Annotated[Length, Bounds(-LONGEST, LONGEST, REAL_LENGTHS)]
-"""Coordinate on an arm."""
-Place = tuple[Distance, Distance, Distance]
 JointRate = Annotated[
     AngularRate,
     Bounds(1e-6, 10.0, "the Shuttle's joints turn at 0.001 to 0.09 rad/s, the fastest small arms at about 1 rad/s"),
@@ -28,24 +21,15 @@ JointAcceleration = Annotated[
 ]
 """Limit of a joint's acceleration."""
 SlideSpeed = Annotated[Speed, Bounds(1e-6, 10.0, "the concept arm's telescope moves at 0.3 m/s")]
-"""Limit of the speed of a joint that slides."""
-SlideAcceleration = Annotated[Acceleration, Bounds(1e-6, 100.0, "a slide reaches its speed in 0.1 s to minutes")]
-"""Limit of the acceleration of a joint that slides."""
+"""Speed of a joint that slides."""
+DriveForce = Annotated[Force, Bounds(1e-3, 1e6, "a telescope that moves 7 t by 1 ft/s within 1 s needs 2,000 N")]
+DriveGain = Annotated[LinearDamping, Bounds(1e-3, 1e9, "a telescope's servo has about 1e4 N s/m")]
 Component = Annotated[float, DIRECTION]
 StickAxis = Literal["RHC roll", "RHC pitch", "RHC yaw", "THC X", "THC Y", "THC Z"]
 """Axis of the hand controllers."""
 Weight = Annotated[float, Bounds(0.0, 1e6, "a joint with a million times the weight moves alone")]
-LinkMass = Annotated[Mass, Bounds(1e-6, 1e5, "the Shuttle's whole arm has 410 kg")]
-
-
-class LinkFile(Part, frozen=True):
-    """Link behind a joint, as a rigid body; a plant with masses needs it."""
-
-    mass: LinkMass
-    centre: Place
-    """Centre of mass in the joint's frame."""
-    inertia: tuple[LinkInertia, LinkInertia, LinkInertia]
-    """Moments of inertia about the centre of mass, along the axes of the joint's frame."""
+Switch = Literal["telescope", "prong"]
+"""Switch of the panel that drives a joint: that of the telescope, or that of the end effector."""
 
 
 class _JointFile(Part, frozen=True, kw_only=True, tag_field="kind"):
@@ -58,39 +42,78 @@ class _JointFile(Part, frozen=True, kw_only=True, tag_field="kind"):
     """Vector from the joint before, or from L's origin, to this joint's centre."""
     axis: tuple[Component, Component, Component]
     """Direction of the joint's axis; only the direction counts."""
+    link: LinkFile | None = None
+    source: Text | None = None
+    """Source of the quantities of this joint that the file's table `sources` does not have."""
+    confidence: Confidence | None = None
+
+
+class Turn(_JointFile, frozen=True, kw_only=True, tag="turn"):
+    """Joint that turns about its axis; steering drives it."""
+
     weight: Weight = 1.0
     """Weight of the joint where several can make the same motion: twice the weight, twice the share; 0 for no share."""
     stick: StickAxis | None = None
     """Axis of the hand controllers that moves this joint of the master arm, for operators without a device for it."""
-    link: LinkFile | None = None
-    source: Text
-    confidence: Confidence
-
-
-class Turn(_JointFile, frozen=True, kw_only=True, tag="turn"):
-    """Joint that turns about its axis."""
-
     hard: tuple[Angle, Angle]
+    """Mechanical stops."""
     soft: tuple[Angle, Angle]
+    """Soft stops, inside the hard stops."""
     reach: tuple[Angle, Angle]
+    """Limits at which the REACH LIM lamp lights, inside the soft stops."""
     servo: JointRate
-    """Limits of the rate, as those of ``rates`` in the file of the Shuttle's arm."""
+    """Limits of the rate: in modes 2 to 7; for the settings coarse and vernier in modes 1 and 8, DIRECT and MASTER."""
     coarse: JointRate
     vernier: JointRate
     acceleration: JointAcceleration
+    """Greatest acceleration, in modes 1 to 7."""
 
 
 class Slide(_JointFile, frozen=True, kw_only=True, tag="slide"):
-    """Joint that slides along its axis; fields as in `Turn`."""
+    """Joint that slides along its axis; a switch of the panel drives it, so that it has no joint angle.
 
-    hard: tuple[Distance, Distance]
-    soft: tuple[Distance, Distance]
-    reach: tuple[Distance, Distance]
-    servo: SlideSpeed
-    coarse: SlideSpeed
-    vernier: SlideSpeed
-    acceleration: SlideAcceleration
+    Before the first joint that turns, it is the telescope that carries the arm. Behind the last one, it is a branch.
+    """
+
+    driver: Switch
+    on: Text | None = None
+    """Name of the joint that carries it; without a name, the joint before it in the file."""
+    least: Constant[Distance]
+    greatest: Constant[Distance]
+    start: Constant[Distance]
+    """Coordinate with which a run begins, unless the scenario gives another."""
+    rate: Constant[SlideSpeed]
+    """Speed at full drive."""
+    facing: Constant[Distance] | None = None
+    """Of a prong: coordinate of the fixed face towards which it closes."""
+    gain: Constant[DriveGain] | None = None
+    """Force of the drive for each m/s of speed error; a plant with masses needs it, and the greatest force."""
+    force: Constant[DriveForce] | None = None
 
 
 JointFile = Turn | Slide
-Joints = Annotated[tuple[JointFile, ...], msgspec.Meta(min_length=1, max_length=MOST_JOINTS)]
+Joints = Annotated[tuple[JointFile, ...], msgspec.Meta(min_length=1)]
+
+
+class SourcesFile(Part, frozen=True):
+    """Sources of quantities that many joints have, in their own tables or in those of their links."""
+
+    step: Cited | None = None
+    axis: Cited | None = None
+    hard: Cited | None = None
+    soft: Cited | None = None
+    reach: Cited | None = None
+    servo: Cited | None = None
+    coarse: Cited | None = None
+    vernier: Cited | None = None
+    acceleration: Cited | None = None
+    mass: Cited | None = None
+    centre: Cited | None = None
+    inertia: Cited | None = None
+    moments: Cited | None = None
+    span: Cited | None = None
+    low: Cited | None = None
+    high: Cited | None = None
+    radius: Cited | None = None
+    bending: Cited | None = None
+    torsion: Cited | None = None

@@ -4,14 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from itertools import pairwise
-from typing import Literal, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 
 from aftdeck.arms.geometry import frozen
-from aftdeck.arms.model import ArmFile, ChainArmFile
+from aftdeck.arms.model import ArmFile
 from aftdeck.arrays import Array
-from aftdeck.files import Problem
 
 
 class Limits(NamedTuple):
@@ -44,25 +43,32 @@ class JointRates(NamedTuple):
     acceleration: Array
 
 
+class LimitProblem(NamedTuple):
+    """Inconsistent limits of a joint.
+
+    Attributes:
+        joint: number of the joint.
+        quantity: ``hard``, ``servo`` or ``acceleration``.
+        what: the message.
+    """
+
+    joint: int
+    quantity: str
+    what: str
+
+
 def limits_of(file: ArmFile) -> Limits:
     """Return the joint limits of a file's arm."""
-    return Limits(*(_by_joint(file, "limits", name) for name in Limits._fields))
+    return Limits(*(frozen([getattr(turn, name) for turn in file.turns]) for name in Limits._fields))
 
 
 def rates_of(file: ArmFile) -> JointRates:
     """Return the rate limits of a file's arm."""
-    return JointRates(*(_by_joint(file, "rates", name) for name in JointRates._fields))
+    return JointRates(*(frozen([getattr(turn, name) for turn in file.turns]) for name in JointRates._fields))
 
 
-def _by_joint(file: ArmFile, table: Literal["limits", "rates"], name: str) -> Array:
-    """Return a value of each joint: from the joints' own tables, or else from this table of the file."""
-    if isinstance(file, ChainArmFile):
-        return frozen([getattr(joint, name) for joint in file.joint])
-    return frozen(getattr(getattr(file, table), name).value)
-
-
-def limit_problems(joints: Sequence[str], limits: Limits, rates: JointRates) -> list[Problem]:
-    """Return a problem, with its place in the arm's file, for each joint with inconsistent limits or rates."""
+def limit_problems(joints: Sequence[str], limits: Limits, rates: JointRates) -> list[LimitProblem]:
+    """Return a problem for each joint with inconsistent limits or rates."""
     found = []
     for i, joint in enumerate(joints):
         chain = [*(s[i, 0] for s in limits), *(s[i, 1] for s in reversed(limits))]
@@ -75,12 +81,12 @@ def limit_problems(joints: Sequence[str], limits: Limits, rates: JointRates) -> 
                 f"{joint}: reach limits have to be inside the soft stops, and soft stops inside the hard stops; "
                 f"got {ranges}"
             )
-            found.append(Problem(("limits",), what))
+            found.append(LimitProblem(i, "hard", what))
         vernier, coarse, servo = rates.vernier[i], rates.coarse[i], rates.servo[i]
         if not 0.0 < vernier <= coarse <= servo:
             what = f"{joint}: expected 0 < vernier <= coarse <= servo, got {vernier:g}, {coarse:g}, {servo:g} rad/s"
-            found.append(Problem(("rates",), what))
+            found.append(LimitProblem(i, "servo", what))
         if not rates.acceleration[i] > 0.0:
             what = f"{joint}: expected an acceleration above 0, got {rates.acceleration[i]:g} rad/s2"
-            found.append(Problem(("rates", "acceleration"), what))
+            found.append(LimitProblem(i, "acceleration", what))
     return found

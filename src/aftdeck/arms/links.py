@@ -1,4 +1,4 @@
-"""Links of an arm of the Shuttle's family as rigid bodies, from their masses and moments of inertia.
+"""Links of an arm that are rods with housings, as rigid bodies, from their masses and moments of inertia.
 
 The file gives a link's mass, and its moments about the joint at which it begins. Without a centre of mass, the link is
 taken as a uniform rod from this joint to the next, and a housing at this joint. The housing's moment along the link is
@@ -14,14 +14,14 @@ from typing import NamedTuple
 
 import numpy as np
 
-from aftdeck.arms.geometry import linkage_of
-from aftdeck.arms.model import YawArmFile
+from aftdeck.arms.geometry import FOOT, frame_of
+from aftdeck.arms.joints import Slide
+from aftdeck.arms.link_file import LinkFile, Place, RodLink
+from aftdeck.arms.model import ArmFile
 from aftdeck.arrays import Array
 from aftdeck.bodies.mass_properties import MassProperties, about, cylinder, impossible, joined
-from aftdeck.files import Problem
+from aftdeck.files import Problem, Where
 
-BOOMS = ("upper_boom", "lower_boom")
-"""Links that bend on a flexible arm."""
 _ROUNDED = 1e-3
 """Share of a link's mass by which a housing may be lighter than nothing, because the file's numbers are rounded [1]."""
 
@@ -51,7 +51,7 @@ class Link:
         mass: mass [kg].
         moments: (3,) moments of inertia about the joint: along the link, about the pitch axis, across both [kg m2].
         centre: distance of the centre of mass from the joint [m]; None if the file does not give it.
-        radius: radius of the rod [m].
+        radius: radius of the rod [m]; 0 for a stiff link.
     """
 
     name: str
@@ -61,6 +61,11 @@ class Link:
     moments: Array
     centre: float | None
     radius: float
+
+    @property
+    def bends(self) -> bool:
+        """Whether the link is a boom, which bends on a flexible arm."""
+        return self.radius > 0.0
 
     def whole(self) -> MassProperties:
         """Return the link as one rigid body, in the link's frame."""
@@ -80,9 +85,11 @@ class Link:
 
     def problems(self) -> Iterator[str]:
         """Yield why no body has these values."""
-        if why := impossible(self.whole().inertia):
+        if not self._length or self.begin[1] != self.end[1]:
+            yield f"{self.name}: a rod needs a length, and lies in the plane of x and z of its frame"
+        elif why := impossible(self.whole().inertia):
             yield f"{self.name}: with the centre of mass {self._distance:.4g} m from its joint, {why}"
-        elif self.name in BOOMS:
+        elif self.bends:
             shares = self.shares()
             parts = {"rod": shares.rod, "housing": shares.beginning.mass, "housing at the end": shares.tip.mass}
             for part, mass in parts.items():
@@ -127,40 +134,32 @@ class Link:
         return 0.5 * self._length * self._rod / self.mass if self.centre is None else self.centre
 
 
-def links_of(file: YawArmFile) -> tuple[Link, ...]:
-    """Return the links of an arm whose file has the table `links`, from the foot to the end effector."""
-    table, parts, steps = file.links, file.masses.parts.value, linkage_of(file).steps
-    assert table is not None, "the caller has checked that there is a table `links`"
-    roll = np.array([float(table.wrist_yaw_to_roll.value), 0.0, 0.0])
-    tip = np.array([float(file.geometry.wrist_yaw_to_tip.value), 0.0, 0.0])
-    none = np.zeros(3)
-    foot = np.array([0.0, 0.0, float(table.foot.value)])
-    spans = ((foot, none), *((none, np.asarray(step)) for step in steps[1:5]), (none, roll), (roll, tip))
-    names = parts.__struct_fields__
-    centres = (None,) * len(names) if table.centre is None else table.centre.value
-    return tuple(
-        Link(
-            name,
-            begin,
-            end,
-            float(getattr(parts, name)),
-            np.array(moments, dtype=np.float64),
-            None if centre is None else float(centre),
-            float(table.boom_radius.value) if name in BOOMS else 0.0,
-        )
-        for name, (begin, end), moments, centre in zip(names, spans, table.inertia.value, centres, strict=True)
-    )
+def rods_of(file: ArmFile) -> Iterator[tuple[Where, str, Link]]:
+    """Yield the links that are rods: the place of each in the file, the frame that carries it, and the link."""
+    ends = [*(np.array(turn.step, dtype=np.float64) for turn in file.turns[1:]), np.array(file.tip.value)]
+    links: list[tuple[Where, str, LinkFile | None, Array]] = [(("foot",), FOOT, file.foot, np.zeros(3))]
+    links += [
+        (("joint", file.joint.index(turn), "link"), frame_of(turn.name), turn.link, end)
+        for turn, end in zip(file.turns, ends, strict=True)
+    ]
+    for where, frame, link, end in links:
+        if isinstance(link, RodLink):
+            begin, until = (np.zeros(3), end) if link.span is None else map(_point, link.span)
+            centre = None if link.centre is None else float(link.centre)
+            radius, moments = float(link.radius or 0.0), np.array(link.moments, dtype=np.float64)
+            yield where, frame, Link(link.part, begin, until, float(link.mass), moments, centre, radius)
 
 
-def link_problems(file: YawArmFile) -> list[Problem]:
-    """Return a problem for each link that no body can be, and for a wrist roll joint beyond the tip."""
-    if file.links is None:
-        return []
-    at, tip = file.links.wrist_yaw_to_roll.value, file.geometry.wrist_yaw_to_tip.value
-    if at >= tip:
-        what = f"the wrist roll joint has to be before the tip, at less than {tip:g} m; got {at:g} m"
-        return [Problem(("links", "wrist_yaw_to_roll"), what)]
-    links = links_of(file)
-    if not all(link.mass > 0.0 for link in links):
-        return []  # a plant with masses refuses such an arm
-    return [Problem(("links", "inertia", "value", i), why) for i, link in enumerate(links) for why in link.problems()]
+def rod_problems(file: ArmFile) -> list[Problem]:
+    """Return a problem for each rod that no body can be, or that is where none can be."""
+    found = [Problem((*where, "moments"), why) for where, _, link in rods_of(file) for why in link.problems()]
+    if isinstance(file.foot, RodLink) and file.foot.radius is not None:
+        found.append(Problem(("foot", "radius"), "only links behind joints that turn can bend"))
+    for i, joint in enumerate(file.joint):
+        if isinstance(joint, Slide) and isinstance(joint.link, RodLink):
+            found.append(Problem(("joint", i, "link", "kind"), "only links behind joints that turn can be rods"))
+    return found
+
+
+def _point(place: Place) -> Array:
+    return np.array(place, dtype=np.float64)

@@ -7,19 +7,23 @@ from collections.abc import Callable
 from dataclasses import dataclass, replace
 from decimal import Context, Decimal
 from pathlib import Path
-from typing import Literal, NamedTuple, cast
+from typing import Literal, NamedTuple
 
 import numpy as np
 
+from aftdeck.arms.body_file import BlockBody
 from aftdeck.arms.check import arm_problems
-from aftdeck.arms.dynamics import Flexibility, Servo, Slides, flexibility_of, servo_of, slides_of
-from aftdeck.arms.equipment import Equipment, equipment_of
-from aftdeck.arms.geometry import PRONG, STAND, Linkage, frozen, linkage_of, raised
+from aftdeck.arms.dynamics import Flexibility, Servo, flexibility_of, servo_of
+from aftdeck.arms.geometry import Linkage, frozen, linkage_of, raised
+from aftdeck.arms.joints import StickAxis, Switch
 from aftdeck.arms.limits import JointRates, Limits, limits_of, rates_of
-from aftdeck.arms.model import ArmFile, ChainArmFile, PorRow
+from aftdeck.arms.model import ArmFile, PorRow
+from aftdeck.arms.old_file import Conversion
+from aftdeck.arms.switched import PRONG, TELESCOPE, SwitchedJoint, switched_of
 from aftdeck.arrays import Array
+from aftdeck.dimensions import derive
 from aftdeck.errors import ArmError, InputError, ScenarioError
-from aftdeck.files import Text, find_toml, parse, read, sentences
+from aftdeck.files import Text, examine, find_toml, read, sentences
 from aftdeck.frames import Mount, rotation_x
 from aftdeck.matrices import product
 
@@ -56,14 +60,17 @@ class ArmModel:
         joints: names of the joints, from base to tip.
         labels: short names of the joints for the page.
         linkage: the joints, as the laws and the pictures use them.
-        equipment: equipment besides the joints.
+        switched: joints that switches drive, such as a telescope; they have no joint angles.
+        master: for each joint of the master arm, the axis of the hand controllers that moves the joint. These axes are
+            used if no other device gives the master arm's angles; None for a joint that no axis moves.
+        covered: whether the arm's solids are covers that enclose round parts. If so, neighbouring solids overlap at
+            joints.
         mount: position and orientation of the arm's base frame L on the orbiter.
         limits: joint limits.
         singular: normalised distance below which the SINGULAR lamp lights [1].
         rates: joint rate limits.
         por: rows of limits by payload mass, lightest first.
         servo: servos and brakes; None if the file does not describe them.
-        slides: drives of telescope and prong; None if the arm has neither, or the file does not describe them.
         flexibility: springs of the arm; None if the file does not describe them.
         source: the decoded file, with the source and confidence of each constant.
         text: text of the file as it was read.
@@ -76,14 +83,15 @@ class ArmModel:
     joints: tuple[str, ...]
     labels: tuple[str, ...]
     linkage: Linkage
-    equipment: Equipment
+    switched: tuple[SwitchedJoint, ...]
+    master: tuple[StickAxis | None, ...]
+    covered: bool
     mount: Mount
     limits: Limits
     singular: float
     rates: JointRates
     por: tuple[PorRow, ...]
     servo: Servo | None
-    slides: Slides | None
     flexibility: Flexibility | None
     source: ArmFile
     text: str
@@ -101,10 +109,21 @@ class ArmModel:
 
     @property
     def frames(self) -> tuple[str, ...]:
-        """Names of all frames that carry a body: the linkage's frames, then telescope and prong if the arm has them."""
-        equipment = self.equipment
-        besides = ((STAND, equipment.telescope), (PRONG, equipment.prong))
-        return (*self.linkage.frames, *(name for name, item in besides if item is not None))
+        """Names of all frames that carry a body: the linkage's frames, then those of the joints that switches drive."""
+        return (*self.linkage.frames, *(joint.frame for joint in self.switched))
+
+    @property
+    def telescope(self) -> SwitchedJoint | None:
+        """Joint that carries the arm, driven by the telescope's switch; None if the arm has no telescope."""
+        return self._driven_by(TELESCOPE)
+
+    @property
+    def prong(self) -> SwitchedJoint | None:
+        """Prong of the end effector, driven by its switch; None if the end effector has snares."""
+        return self._driven_by(PRONG)
+
+    def _driven_by(self, switch: Switch) -> SwitchedJoint | None:
+        return next((joint for joint in self.switched if joint.driver == switch), None)
 
     @property
     def end_effector_roll(self) -> float:
@@ -114,7 +133,7 @@ class ArmModel:
     @property
     def stand(self) -> float | None:
         """Length of the telescope, which is the height of the shoulder [m]; None if the arm has no telescope."""
-        return None if self.equipment.telescope is None else float(self.links[0])
+        return None if self.telescope is None else float(self.links[0])
 
     def at(self, stand: float) -> ArmModel:
         """Return the same arm with its telescope at another length [m].
@@ -122,9 +141,9 @@ class ArmModel:
         Raises:
             InputError: the arm has no telescope, or the length is outside the telescope's limits.
         """
-        if self.equipment.telescope is None:
+        if self.telescope is None:
             raise InputError(f"the arm {self.name} has no telescope: `stand` cannot be given")
-        least, greatest, _ = self.equipment.telescope
+        least, greatest = self.telescope.least, self.telescope.greatest
         if not least - _LENGTH_TOLERANCE <= stand <= greatest + _LENGTH_TOLERANCE:
             raise InputError(
                 f"the telescope (`stand`) of {self.name} is {least:g} to {greatest:g} m long, got {stand:g} m"
@@ -206,9 +225,11 @@ def model_of(source: Text, shapes: Callable[[str], Text]) -> ArmModel:
 @functools.lru_cache(maxsize=8)
 def _checked(source: Text) -> ArmFile:
     """Return the contents of an arm file, which are immutable and can therefore be cached."""
-    file = parse(cast("type[ArmFile]", ArmFile), source)  # the type checker does not accept a union as a `type`
-    if problems := arm_problems(file):
-        raise ScenarioError(sentences(problems, *source))
+    old = Conversion()
+    file, problems = examine(ArmFile, source, derive=lambda raw: old.convert(raw) or derive(raw))
+    problems = old.problems or problems or ([] if file is None else arm_problems(file))
+    if file is None or problems:
+        raise ScenarioError(sentences([old.in_file(problem) for problem in problems], *source))
     return file
 
 
@@ -234,14 +255,15 @@ def _model(source: Text, shapes: Text | None) -> ArmModel:
         joints=file.joints,
         labels=file.labels,
         linkage=linkage_of(file),
-        equipment=equipment_of(file),
+        switched=switched_of(file),
+        master=tuple(turn.stick for turn in file.turns),
+        covered=not any(isinstance(body, BlockBody) for body in file.bodies),
         mount=mount,
         limits=limits_of(file),
-        singular=(file.singular if isinstance(file, ChainArmFile) else file.limits.singular).value,
+        singular=file.singular.value,
         rates=rates,
         por=file.por,
         servo=servo_of(file, rates),
-        slides=slides_of(file),
         flexibility=flexibility_of(file),
         source=file,
         text=source.text,

@@ -1,31 +1,22 @@
-"""Masses of an arm, distributed over the frames that carry them by stated rules.
-
-Family of the Shuttle's arm. `arms.links` has the rule. The foot is fixed to the vehicle; on a flexible arm, it turns
-with the base.
-
-Family of the concept arm. Upper and lower arm are uniform boxes from pin to pin. The hand is uniform in the volume of
-stub, palm, fixed finger and prong. The telescope's tube is a uniform box.
-"""
+"""Masses of an arm by the frames that carry them: its links, and the bodies of its file that have a mass."""
 
 from __future__ import annotations
 
+from collections.abc import Iterator, Mapping
 from typing import NamedTuple
 
 import numpy as np
 
-from aftdeck.arms.blocks import Block, blocks_of
-from aftdeck.arms.drives import SlidesFile
+from aftdeck.arms.body_file import BlockBody
 from aftdeck.arms.dynamics import Flexibility, Servo
-from aftdeck.arms.geometry import STAND
-from aftdeck.arms.links import BOOMS, links_of
+from aftdeck.arms.geometry import FOOT, frame_of
+from aftdeck.arms.link_file import BodyLink, BoxLink
+from aftdeck.arms.links import rods_of
 from aftdeck.arms.load import ArmModel
-from aftdeck.arms.model import ChainArmFile, HeadingArmFile, YawArmFile
+from aftdeck.arms.model import ArmFile
 from aftdeck.arrays import Array
 from aftdeck.bodies.mass_properties import MassProperties, box, cylinder, joined
 from aftdeck.errors import ArmError
-
-HAND = ("stub", "palm", "fixed finger", "prong")
-"""Parts of a concept arm whose volumes share the mass of the hand."""
 
 
 class Boom(NamedTuple):
@@ -72,31 +63,48 @@ def masses_of(model: ArmModel) -> ArmMasses:
     """Return the masses of an arm.
 
     Raises:
-        ArmError: the arm's file lacks the table `links` or `slides`, or a part has no mass.
+        ArmError: a joint has no mass behind it, or a joint that a switch drives has no drive.
     """
-    file = model.source
-    if isinstance(file, ChainArmFile):
-        return _of_chain(model, file)
-    parts = file.masses.parts.value
-    if massless := [name for name in parts.__struct_fields__ if getattr(parts, name) <= 0.0]:
+    file, bodies, booms = model.source, dict[str, list[MassProperties]](), []
+    for _, frame, link in rods_of(file):
+        if link.bends:
+            shares = link.shares()
+            bodies[frame] = [shares.beginning]
+            booms.append(Boom(link.name, frame, link.end, shares.rod, link.radius, shares.tip))
+        else:
+            bodies[frame] = [link.whole()]
+    for given, frame in ((file.foot, FOOT), *((joint.link, frame_of(joint.name)) for joint in file.joint)):
+        if isinstance(given, BodyLink):
+            bodies[frame] = [MassProperties(float(given.mass), np.array(given.centre), np.diag(given.inertia))]
+        elif isinstance(given, BoxLink):
+            bodies[frame] = [box(given.mass, given.low, given.high)]
+    for body in file.bodies:
+        if isinstance(body, BlockBody) and body.mass is not None:
+            bodies.setdefault(body.frame, []).append(box(body.mass, body.low, body.high))
+    if lacking := [*_massless(file, bodies), *(joint.name for joint in model.switched if joint.drive is None)]:
         raise ArmError(
-            f"the arm {model.name!r} cannot have a rigid or flexible plant: masses.parts has 0 kg for "
-            f"{', '.join(massless)}"
+            f"the arm {model.name!r} cannot have a rigid or flexible plant: its file has no mass (link) or drive for "
+            f"{', '.join(lacking)}"
         )
-    if isinstance(file, YawArmFile):
-        if file.links is None:
-            raise _lacking(model, "links")
-        return _of_yaw_arm(model, file)
-    if file.slides is None:
-        raise _lacking(model, "slides")
-    return _of_heading_arm(model, file, file.slides)
+    return ArmMasses({frame: joined(parts) if parts[1:] else parts[0] for frame, parts in bodies.items()}, tuple(booms))
+
+
+def _massless(file: ArmFile, bodies: Mapping[str, object]) -> Iterator[str]:
+    """Yield the name of each joint without mass behind it; where the next joint has the same centre, none is needed."""
+    ends = [*(turn.step for turn in file.turns[1:]), None]
+    for turn, end in zip(file.turns, ends, strict=True):
+        if frame_of(turn.name) not in bodies and (end is None or any(end)):
+            yield turn.name
+    for slide in file.slides:
+        if frame_of(slide.name) not in bodies:
+            yield slide.name
 
 
 def check_masses(model: ArmModel, *, flexible: bool) -> None:
     """Check that an arm's file has all tables that a plant with masses needs.
 
     Raises:
-        ArmError: a table is missing, or a part has no mass; the message names it.
+        ArmError: a table, a mass or a drive is missing; the message names it.
     """
     servo_needed(model)
     if flexible:
@@ -122,52 +130,3 @@ def _lacking(model: ArmModel, table: str) -> ArmError:
     """Return the error for an arm whose file lacks a table that a plant with masses needs."""
     plant = "flexible" if table == "flexibility" else "rigid or flexible"
     return ArmError(f"the arm {model.name!r} cannot have a {plant} plant: its file has no table [{table}]")
-
-
-def _of_chain(model: ArmModel, file: ChainArmFile) -> ArmMasses:
-    if lacking := [joint.name for joint in file.joint if joint.link is None]:
-        raise ArmError(
-            f"the arm {model.name!r} cannot have a rigid or flexible plant: its file has no mass (link) for "
-            f"{', '.join(lacking)}"
-        )
-    links = [joint.link for joint in file.joint if joint.link is not None]
-    bodies = {
-        frame: MassProperties(float(link.mass), np.array(link.centre), np.diag(link.inertia))
-        for frame, link in zip(model.linkage.frames[1:], links, strict=True)
-    }
-    return ArmMasses(bodies, ())
-
-
-def _of_yaw_arm(model: ArmModel, file: YawArmFile) -> ArmMasses:
-    bodies, booms = {}, []
-    for link, frame in zip(links_of(file), model.linkage.frames, strict=True):
-        if link.name in BOOMS:
-            shares = link.shares()
-            bodies[frame] = shares.beginning
-            booms.append(Boom(link.name, frame, link.end, shares.rod, link.radius, shares.tip))
-        else:
-            bodies[frame] = link.whole()
-    return ArmMasses(bodies, tuple(booms))
-
-
-def _of_heading_arm(model: ArmModel, file: HeadingArmFile, slides: SlidesFile) -> ArmMasses:
-    m, frames, half = file.masses.parts.value, model.linkage.frames, 0.5 * file.booms.side.value
-    blocks = blocks_of(file, frames)
-    bodies = {
-        frame: box(mass, (0.0, -half, -half), (length.value, half, half))
-        for frame, mass, length in (
-            (frames[2], m.upper_arm, file.geometry.upper_arm),
-            (frames[3], m.lower_arm, file.geometry.lower_arm),
-        )
-    }
-    hand = [block for block in blocks if block.part in HAND]
-    density = m.hand / sum(map(_volume, hand))
-    for frame in dict.fromkeys(block.frame for block in hand):
-        bodies[frame] = joined([box(density * _volume(b), b.low, b.high) for b in hand if b.frame == frame])
-    tube = next(block for block in blocks if block.frame == STAND)
-    return ArmMasses(bodies | {STAND: box(slides.telescope_mass.value, tube.low, tube.high)}, ())
-
-
-def _volume(block: Block) -> float:
-    """Return the volume of a block [m3]."""
-    return float(np.prod(np.subtract(block.high, block.low)))

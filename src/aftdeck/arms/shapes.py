@@ -8,10 +8,8 @@ from typing import NamedTuple
 
 import msgspec
 
-from aftdeck.arms.blocks import Block, blocks_of
-from aftdeck.arms.fairings import fairings_of
+from aftdeck.arms.body_file import BlockBody, BodyFile, BoxBody
 from aftdeck.arms.load import ArmModel
-from aftdeck.arms.model import BoxBody, ChainArmFile, HeadingArmFile, PrismBody
 from aftdeck.bodies.camera_file import CameraFile, DriveFile, cameras_of
 from aftdeck.bodies.cameras import Camera
 from aftdeck.errors import ScenarioError
@@ -34,7 +32,8 @@ class _Frame(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     """Moving frame as listed in the file."""
 
     name: str
-    shapes: tuple[Shape, ...]
+    shapes: tuple[Shape, ...] | None = None
+    """Drawn shapes; without them, the collision bodies of the frame are drawn."""
     details: tuple[Shape, ...] = ()
     """Shapes that only decorate the arm. Only the station's page draws them. They cannot be lamps."""
 
@@ -47,15 +46,12 @@ class ShapesFile(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     """Contents of an arm's shape file."""
 
     body: tuple[_Frame, ...]
-    camera: tuple[CameraFile, ...]
+    camera: tuple[CameraFile, ...] = ()
     drive: tuple[DriveFile, ...] = ()
 
 
 def shapes_of(model: ArmModel) -> ArmShapes:
-    """Return an arm's shapes and cameras from its shape file.
-
-    For a concept arm without a shape file, the shapes are computed from the arm's dimensions, and for a chain they are
-    its collision bodies. Without a shape file, an arm of the family of the Shuttle's arm has no shapes.
+    """Return an arm's shapes and cameras from its shape file; without a shape file, its collision bodies as shapes.
 
     Raises:
         ScenarioError: a shape or camera is invalid, or the file does not list the arm's frames in order. The message
@@ -68,18 +64,13 @@ def shapes_of(model: ArmModel) -> ArmShapes:
         if problems:
             raise ScenarioError(sentences(problems, *model.shapes))
         details = {body.name: body.details for body in file.body}
-        return ArmShapes({body.name: body.shapes for body in file.body}, details, cameras)
-    if isinstance(model.source, ChainArmFile):
-        return ArmShapes(_as_covered(model.source, model.frames), dict.fromkeys(model.frames, ()), ())
-    if not isinstance(model.source, HeadingArmFile):
-        return ArmShapes(dict.fromkeys(model.frames, ()), dict.fromkeys(model.frames, ()), ())
-    blocks = blocks_of(model.source, model.linkage.frames)
-    fairings = fairings_of(model.source, model.linkage.frames)
-    return ArmShapes(
-        {frame: tuple(_box(block) for block in blocks if block.frame == frame) for frame in model.frames},
-        {frame: fairings.get(frame, ()) for frame in model.frames},
-        (),
-    )
+        return ArmShapes(_as_bodies(model) | _drawn(file), details, cameras)
+    return ArmShapes(_as_bodies(model), dict.fromkeys(model.frames, ()), ())
+
+
+def _drawn(file: ShapesFile) -> dict[str, tuple[Shape, ...]]:
+    """Return the shapes of a file by their frames, for each frame for which the file has some."""
+    return {body.name: body.shapes for body in file.body if body.shapes is not None}
 
 
 @functools.lru_cache(maxsize=8)
@@ -88,28 +79,23 @@ def _file(source: Text) -> ShapesFile:
     return parse(ShapesFile, source)
 
 
-def _as_covered(file: ChainArmFile, frames: tuple[str, ...]) -> dict[str, tuple[Shape, ...]]:
-    """Return the collision bodies of a chain as shapes, by frame: what is drawn is what collides."""
-    return {frame: tuple(_shape(body) for body in file.bodies if body.frame == frame) for frame in frames}
+def _as_bodies(model: ArmModel) -> dict[str, tuple[Shape, ...]]:
+    """Return the collision bodies of an arm as shapes, by frame: what is drawn is what collides."""
+    bodies = model.source.bodies
+    return {frame: tuple(_shape(body) for body in bodies if body.frame == frame) for frame in model.frames}
 
 
-def _shape(body: BoxBody | PrismBody) -> Shape:
+def _shape(body: BodyFile) -> Shape:
     """Return a collision body as a shape to draw; a cylinder for a prism, which encloses it."""
+    if isinstance(body, BlockBody):
+        (x, y, z), (to_x, to_y, to_z) = plain_vector(body.low), plain_vector(body.high)
+        centre, size = (0.5 * (x + to_x), 0.5 * (y + to_y), 0.5 * (z + to_z)), (to_x - x, to_y - y, to_z - z)
+        return Box(material=body.material, position=centre, size=size)
     at, rotation = plain_vector(body.position), plain_vector(body.rotation)
     if isinstance(body, BoxBody):
         return Box(material="padding", position=at, rotation=rotation, size=plain_vector(body.size))
     length, radius = float(body.length), float(body.radius)
     return Cylinder(material="boom", position=at, rotation=rotation, axis=body.axis, length=length, radius=radius)
-
-
-def _box(block: Block) -> Box:
-    """Return a block as a box to draw."""
-    (x, y, z), (to_x, to_y, to_z) = block.low, block.high
-    return Box(
-        material=block.material,
-        position=(0.5 * (x + to_x), 0.5 * (y + to_y), 0.5 * (z + to_z)),
-        size=(to_x - x, to_y - y, to_z - z),
-    )
 
 
 def _problems(file: ShapesFile, frames: tuple[str, ...]) -> Iterator[Problem]:

@@ -29,7 +29,7 @@ from aftdeck.units import short
 
 def started(scenario: Scenario, start: Start, step: TaskStep) -> Scenario:
     """Return a scenario that begins at a start at rest, and whose task is one step; its `changes` contain both."""
-    telescope = scenario.arm.model.equipment.telescope is not None
+    telescope = scenario.arm.model.telescope is not None
     initial: dict[str, object] = {"joints": start.angles.tolist()} | ({"stand": start.stand} if telescope else {})
     if (held := start.grasped) is not None:
         grasped = {"cargo": scenario.cargo[held.cargo].name, "joints": held.angles.tolist()}

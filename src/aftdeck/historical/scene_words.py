@@ -87,7 +87,7 @@ class _SceneProgram:
 
     def __init__(self, scenario: Scenario) -> None:
         model = scenario.arm.model
-        telescope, prong = model.equipment.telescope, model.equipment.prong
+        telescope, prong = model.telescope, model.prong
         if telescope is None or prong is None:
             raise InputError(f"{scenario.arm.name} has no telescope or no prong; frame words describe an arm with both")
         self._telescope, self._prong, self._period = telescope, prong, scenario.control_period
@@ -113,7 +113,7 @@ class _SceneProgram:
         if not control.arm_inhibited:
             at = stand + control.telescope * self._telescope.rate * self._period
             stand = min(max(at, self._telescope.least), self._telescope.greatest)
-        widest, closest = (self._prong.fixed_finger - end for end in (self._prong.opened, self._prong.closed))
+        widest, closest = (self._prong.facing - end for end in (self._prong.least, self._prong.greatest))
         if not control.finger_inhibited:
             spacing = min(max(spacing - control.prong * self._prong.rate * self._period, closest), widest)
         angles = now.angles if control.arm_inhibited else block.angles

@@ -110,8 +110,7 @@ def check_arm(scenario: Scenario) -> None:
             arm.
     """
     arm = scenario.arm
-    equipment = arm.model.equipment
-    if len(arm.joints) != len(JOINTS) or equipment.telescope is None or equipment.prong is None:
+    if len(arm.joints) != len(JOINTS) or arm.model.telescope is None or arm.model.prong is None:
         raise InputError(
             f"{scenario.name}: the report's channels, words and priority routine are made for its arm, with "
             f"{len(JOINTS)} joints, telescope and prong; this scenario has the arm {arm.name}, with {len(arm.joints)} "

@@ -69,9 +69,9 @@ class FixedBodies:
 
 def _travels(scenario: Scenario) -> dict[int, tuple[Array, Array]]:
     """Return both ends (3,) of the travel of telescope and prong, in the system that carries them [m]."""
-    telescope, prong = scenario.arm.model.equipment.telescope, scenario.arm.model.equipment.prong
+    telescope, prong = scenario.arm.model.telescope, scenario.arm.model.prong
     assert telescope is not None and prong is not None  # `shapes` accepts no other arm
-    heights, openings = (telescope.least, telescope.greatest), (prong.opened, prong.closed)
+    heights, openings = (telescope.least, telescope.greatest), (prong.least, prong.greatest)
     return {
         TELESCOPE: (np.array([0.0, 0.0, -heights[0]]), np.array([0.0, 0.0, -heights[1]])),
         PRONG: (np.array([0.0, openings[0], 0.0]), np.array([0.0, openings[1], 0.0])),

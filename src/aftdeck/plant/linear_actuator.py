@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
-from aftdeck.arms.equipment import Prong
 from aftdeck.arms.load import ArmModel
+from aftdeck.arms.switched import SwitchedJoint
 from aftdeck.kinematics.linkage import L1
 from aftdeck.state_part import StatePart
 
@@ -49,17 +49,15 @@ class Slide(StatePart):
 
 
 def travel_of_stand(model: ArmModel) -> Travel:
-    """Return range and rate of the shoulder's height above L's origin; drive + lengthens the telescope.
-
-    Without a telescope, the height is fixed.
-    """
-    height, telescope = float(model.links[L1]), model.equipment.telescope
-    return Travel(height, height, 0.0) if telescope is None else Travel(*telescope)
+    """Return range and rate of the shoulder's height above L's origin; drive + lengthens the telescope."""
+    return _travel(model.telescope, float(model.links[L1]))
 
 
-def travel_of_prong(prong: Prong | None) -> Travel:
-    """Return range and rate of the prong's inner face, in coordinate y2; drive + closes the prong, - opens it.
+def travel_of_prong(model: ArmModel) -> Travel:
+    """Return range and rate of the prong's inner face, in coordinate y2; drive + closes the prong, - opens it."""
+    return _travel(model.prong, 0.0)
 
-    Without a prong, the coordinate is fixed at 0.
-    """
-    return Travel(0.0, 0.0, 0.0) if prong is None else Travel(prong.opened, prong.closed, prong.rate)
+
+def _travel(joint: SwitchedJoint | None, fixed: float) -> Travel:
+    """Return range and rate of a joint that a switch drives; without the joint, its coordinate is fixed."""
+    return Travel(fixed, fixed, 0.0) if joint is None else Travel(joint.least, joint.greatest, joint.rate)

@@ -12,7 +12,6 @@ from aftdeck.errors import InputError, RecordingError, ScenarioError
 from aftdeck.files import MOST_BYTES, Text, Where
 from aftdeck.law_folder import state_of_the_laws
 from aftdeck.recording.environment import environment, machine
-from aftdeck.recording.old_arm import of_today
 from aftdeck.recording.records import FORMAT, Opening
 from aftdeck.recording.trial import NO_TRIAL, Trial
 from aftdeck.scenario.changes import parse_change
@@ -124,7 +123,7 @@ def _arm_of(start: Opening, changes: Mapping[Where, object]) -> ArmModel:
             raise RecordingError("the recorded arm has a shapes file, but the recording does not contain its text")
         return Text("the recorded shapes", _short_enough("shapes", start.shapes_text))
 
-    return model_of(of_today(Text("the recorded arm", _short_enough("arm", start.arm_text))), shapes)
+    return model_of(Text("the recorded arm", _short_enough("arm", start.arm_text)), shapes)
 
 
 def _worksite_of(start: Opening, changes: Mapping[Where, object]) -> Text:

@@ -14,7 +14,6 @@ from typing import NamedTuple
 
 import numpy as np
 
-from aftdeck.arms.geometry import PRONG, STAND
 from aftdeck.arms.load import ArmModel
 from aftdeck.arrays import Array
 from aftdeck.bodies.overlap import deepest
@@ -110,13 +109,13 @@ def _berth_misfits(
 
 def _telescope_misfits(model: ArmModel, worksite: Worksite, around: Parts) -> Iterator[Misfit]:
     """Yield the overlaps of the telescope's tube with the worksite, for the telescope's least and greatest lengths."""
-    telescope = model.equipment.telescope
+    telescope = model.telescope
     if telescope is None:
         return
     scene = inverted(scene_in_l(model.mount, worksite.origin))
     for length in (telescope.least, telescope.greatest):
         own_parts = parts_at(
-            [solid for solid in arm_solids(model, worksite) if solid.frame == STAND],
+            [solid for solid in arm_solids(model, worksite) if solid.frame == telescope.frame],
             composed(scene, Pose(np.array([0.0, 0.0, -length]), np.eye(3))),
         )
         for overlap in _overlaps(own_parts, around, model.units):
@@ -126,14 +125,14 @@ def _telescope_misfits(model: ArmModel, worksite: Worksite, around: Parts) -> It
 
 def _bar_errors(model: ArmModel, worksite: Worksite, payload: Cargo) -> Iterator[str]:
     """Yield the reasons why a prong can never acquire a payload's bar, or can never release it."""
-    rule, prong, bar, units = worksite.acquisition, model.equipment.prong, payload.receptacle, model.units
+    rule, prong, bar, units = worksite.acquisition, model.prong, payload.receptacle, model.units
     if prong is None or not isinstance(rule, BarAcquisition) or bar is None:
         return
 
     def length_text(value: float) -> str:
         return quantity_text(value, "m", units)
 
-    opened, closed, fixed_finger = -prong.opened, -prong.closed, prong.fixed_finger
+    opened, closed, fixed_finger = -prong.least, -prong.greatest, prong.facing
     length, width, _ = np.ptp(bar, axis=0).tolist()
     spacing = length_text(rule.prong_spacing)
     if rule.prong_spacing >= opened:
@@ -180,17 +179,17 @@ def hands(model: ArmModel, worksite: Worksite, payload: Cargo) -> Mapping[str, P
     The keys of the result are "open", for the open prong, and "closed", for the prong closed on the bar. The result is
     empty for an end effector without a prong and for a payload without a bar.
     """
-    rule, hand = worksite.acquisition, model.equipment.prong
+    rule, hand = worksite.acquisition, model.prong
     if hand is None or not isinstance(rule, BarAcquisition) or payload.receptacle is None:
         return {}
     tip = at_cargo(model, payload, AtCargo(0, above=0.5 * rule.window))
     joint = composed(tip, Pose(-model.linkage.tip, np.eye(3)))
     last = model.linkage.frames[-1]
     hand_solids = [solid for solid in arm_solids(model, worksite) if solid.frame == last]
-    prong = [solid for solid in arm_solids(model, worksite) if solid.frame == PRONG]
+    prong = [solid for solid in arm_solids(model, worksite) if solid.frame == hand.frame]
     hands_at_bar: dict[str, Parts] = {}
-    closed = max(hand.opened, min(hand.closed, -0.5 * float(np.ptp(payload.receptacle[:, 1]))))
-    for prong_state, y in (("open", hand.opened), ("closed", closed)):
+    closed = max(hand.least, min(hand.greatest, -0.5 * float(np.ptp(payload.receptacle[:, 1]))))
+    for prong_state, y in (("open", hand.least), ("closed", closed)):
         prong_pose = composed(joint, Pose(np.array([0.0, y, 0.0]), np.eye(3)))
         hands_at_bar[prong_state] = {**parts_at(hand_solids, joint), **parts_at(prong, prong_pose)}
     return hands_at_bar

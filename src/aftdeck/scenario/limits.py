@@ -8,7 +8,7 @@ from typing import TypeVar
 import msgspec
 
 from aftdeck.arms.geometry import frozen
-from aftdeck.arms.limits import JointRates, Limits, limit_problems
+from aftdeck.arms.limits import JointRates, LimitProblem, Limits, limit_problems
 from aftdeck.arms.load import ArmModel, PorLimits
 from aftdeck.errors import AftdeckError, ScenarioError
 from aftdeck.files import Where
@@ -48,8 +48,13 @@ def _limited(problems: Problems, model: ArmModel, over: LimitsOverride) -> ArmMo
     limits = _replaced(problems, model, model.limits, over, where)
     rates = _replaced(problems, model, model.rates, over, where)
     for problem in limit_problems(model.joints, limits, rates):
-        problems.add(("limits", *problem.where[1:]), problem.what)
+        problems.add((*where, *_place(problem)), problem.what)
     return replace(model, limits=limits, rates=rates)
+
+
+def _place(problem: LimitProblem) -> Where:
+    """Return the place of a problem in a table of limits."""
+    return (problem.quantity,) if problem.quantity == "acceleration" else ()
 
 
 def _replaced(problems: Problems, model: ArmModel, own: _T, over: RatesOverride, where: Where) -> _T:
@@ -76,7 +81,7 @@ def phase_limits(
         return None
     rates = _replaced(problems, model, model.rates, over, where)
     for problem in limit_problems(model.joints, model.limits, rates):
-        problems.add((*where, *problem.where[1:]), problem.what)
+        problems.add((*where, *_place(problem)), problem.what)
     given = {name: value for name in PorOverride.__struct_fields__ if (value := getattr(over.por, name)) is not None}
     if over.por.reached_in is not None:
         own = msgspec.structs.replace(own, acceleration=None, angular_acceleration=None)

@@ -75,7 +75,7 @@ def cargo_index(problems: Problems, arm: Arm, cargo: tuple[Cargo, ...], name: st
         problems.add(where, f"no cargo {name!r}: {choices}")
         return None
     if not takes(arm.model, cargo[names.index(name)]):
-        fixture = "grapple fixture" if arm.model.equipment.prong is None else "bar"
+        fixture = "grapple fixture" if arm.model.prong is None else "bar"
         problems.add(where, f"{name!r} has no {fixture} for the end effector of {arm.model.name}")
         return None
     return names.index(name)

@@ -22,7 +22,7 @@ from aftdeck.units import Quantity
 from aftdeck.worksite.file.schema import WorksiteFile
 
 FILES: dict[str, tuple[type[msgspec.Struct], ...]] = {
-    "Arm file": get_args(ArmFile),
+    "Arm file": (ArmFile,),
     "Shapes, in an arm's shape file and in a worksite file": (ShapesFile,),
     "Worksite file": (WorksiteFile,),
     "Scenario file": (ScenarioFile,),

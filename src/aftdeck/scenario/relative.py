@@ -39,7 +39,7 @@ def takes(model: ArmModel, cargo: Cargo) -> bool:
 
     An end effector with a prong needs a bar; an end effector with snares needs a grapple fixture.
     """
-    return (cargo.grapple if model.equipment.prong is None else cargo.receptacle) is not None
+    return (cargo.grapple if model.prong is None else cargo.receptacle) is not None
 
 
 def at_cargo(model: ArmModel, cargo: Cargo, place: AtCargo) -> Pose:

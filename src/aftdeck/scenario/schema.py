@@ -6,10 +6,10 @@ from typing import Annotated, Literal
 
 import msgspec
 
+from aftdeck.arms.body_file import Cover
 from aftdeck.arms.constant import Text
 from aftdeck.arms.joints import JointAcceleration, JointRate
 from aftdeck.arms.model import (
-    Cover,
     RiseTime,
     TipRate,
     TipSpeed,

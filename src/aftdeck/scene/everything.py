@@ -28,8 +28,8 @@ class ScenePoses:
             for body in scenario.worksite.bodies
         ]
         self._payload = draws_payload(scenario)
-        prong = scenario.arm.model.equipment.prong
-        self._finger = 0.0 if prong is None else prong.fixed_finger
+        prong = scenario.arm.model.prong
+        self._finger = 0.0 if prong is None else prong.facing
 
     def at(self, frame: Frame) -> list[float]:
         """Return seven numbers for each body: x, y, z [m], then the quaternion w, x, y, z."""

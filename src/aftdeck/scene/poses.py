@@ -7,8 +7,8 @@ from collections.abc import Sequence
 import numpy as np
 
 from aftdeck.arms.flexures import Flexure
-from aftdeck.arms.geometry import PRONG, STAND
 from aftdeck.arms.load import ArmModel
+from aftdeck.arms.switched import PRONG, TELESCOPE
 from aftdeck.arrays import Array
 from aftdeck.elementary import sincos
 from aftdeck.frames import SCENE_FROM_PANEL_AXES, SCENE_ORIGIN
@@ -39,15 +39,16 @@ class ArmPoses:
     def __init__(self, model: ArmModel, origin: Array = SCENE_ORIGIN, flexures: Sequence[Flexure] = ()) -> None:
         self._frames, self._linkage = frames_of(model), model.linkage
         self._stand = float(model.links[L1])
-        prong = model.equipment.prong
-        self._prong = 0.0 if prong is None else prong.opened
+        prong = model.prong
+        self._prong = 0.0 if prong is None else prong.least
         turn = product(SCENE_FROM_PANEL_AXES, model.mount.rotation)
         self._base = np.concatenate([point_in_scene(model.mount.origin, origin), turn.ravel()])
         self._rows = self._frames.rows()
         self._poses = np.empty((len(self._rows), 7))
         self._carriers = np.array([part.frame for part in flexures], dtype=np.int64)
         self._ends = np.array([part.end for part in flexures]).reshape(-1, 3)
-        self._telescope = model.frames.index(STAND) if STAND in model.frames else -1
+        self._switched = model.switched
+        self._telescope = -1 if model.telescope is None else model.frames.index(model.telescope.frame)
 
     def at(
         self, angles: Array, stand: float | None = None, prong: float | None = None, bends: Array | None = None
@@ -89,9 +90,10 @@ class ArmPoses:
                 s, c = sincos(0.5 * angle)
                 pose = (x, y, down, c, s * i, s * j, s * k)
             links.append((names[n], names[n + 1], pose))
-        if STAND in names:
-            links.append((names[0], STAND, (0.0, 0.0, -height, 1.0, 0.0, 0.0, 0.0)))
-            links.append((self._linkage.frames[-1], PRONG, (0.0, opening, 0.0, 1.0, 0.0, 0.0, 0.0)))
+        coordinates = {TELESCOPE: height, PRONG: opening}
+        for joint in self._switched:
+            x, y, z = (0.0 + coordinates[joint.driver] * along for along in joint.axis.tolist())  # + 0.0: no -0.0
+            links.append((joint.carrier, joint.frame, (x, y, z, 1.0, 0.0, 0.0, 0.0)))
         return links
 
     def _telescope_and_prong(self, stand: float | None, prong: float | None) -> tuple[float, float]:

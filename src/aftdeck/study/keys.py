@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable, Mapping
 from functools import lru_cache
-from typing import Any, Literal, NamedTuple, cast
+from typing import Any, Literal, NamedTuple
 
 from aftdeck.arms.model import ArmFile
 from aftdeck.errors import AftdeckError, InputError
@@ -21,7 +21,7 @@ Kind = Literal["scenario", "arm", "worksite", "operator", "monitors"]
 _PREFIXES: tuple[Kind, ...] = ("arm", "worksite", "operator", "monitors")
 _FILES: dict[Kind, type[Any]] = {
     "scenario": ScenarioFile,
-    "arm": cast("type[Any]", ArmFile),
+    "arm": ArmFile,
     "worksite": WorksiteFile,
 }
 _LINE = re.compile(r"^.*?\.toml(:\d+)?: ")
@@ -62,7 +62,7 @@ def parse_key(text: str) -> Key:
         where = ()
     if not where or "=" in text:
         raise InputError(
-            f"expected a key such as command_delay, phase[0].rate, arm.geometry.upper_arm.value, "
+            f"expected a key such as command_delay, phase[0].rate, arm.dimensions.boom, "
             f"worksite.dimensions.bay_length, operator.gain or monitors.mon_1, got {text!r}"
         )
     kind = next((prefix for prefix in _PREFIXES if where[0] == prefix and len(where) > 1), None)

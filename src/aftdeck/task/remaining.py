@@ -67,7 +67,7 @@ class Aims:
     def __init__(self, scenario: Scenario) -> None:
         self.places = Places(scenario)
         self._joints = scenario.arm.model.joints
-        self._fixture = "pin" if scenario.arm.model.equipment.prong is None else "bar"
+        self._fixture = "pin" if scenario.arm.model.prong is None else "bar"
 
     def remaining(self, frame: Frame, step: TaskStep | None) -> Remaining | None:
         """Return the remaining motion; None if there is no place to move to.

@@ -13,7 +13,7 @@ import pytest
 
 from aftdeck.arms.load import ArmModel, load_model
 from aftdeck.arms.masses import masses_of
-from aftdeck.arms.model import ChainArmFile, YawArmFile
+from aftdeck.arms.switched import switched_of
 from aftdeck.arrays import Array
 from aftdeck.errors import ArmError
 from aftdeck.kinematics.arm import Arm
@@ -21,7 +21,6 @@ from aftdeck.kinematics.bending import BEND
 from aftdeck.kinematics.frames import frames_of, place_frames
 from aftdeck.plant.multibody.build import arm_spec
 from aftdeck.plant.multibody.view import View
-from aftdeck.units import Mass
 
 ARMS = [("srms", False), ("srms", True), ("concept-1972", False)]
 
@@ -41,8 +40,8 @@ def test_unbent_arm_is_where_the_laws_place_it(name: str, flexible: bool) -> Non
     view, frames = view_of(model, flexible=flexible), frames_of(model)
     for _ in range(20):
         angles, stand = rng.uniform(-2.0, 2.0, 6), float(model.links[0])
-        if model.equipment.telescope:
-            stand = rng.uniform(*model.equipment.telescope[:2])
+        if model.telescope is not None:
+            stand = rng.uniform(model.telescope.least, model.telescope.greatest)
         place(view, angles, stand)
         expected, found, base = frames.rows(), np.empty((view.rows, 12)), np.zeros(12)
         base[[3, 7, 11]] = 1.0
@@ -51,7 +50,7 @@ def test_unbent_arm_is_where_the_laws_place_it(name: str, flexible: bool) -> Non
         view.write_poses(found, bends, base)
         assert bends == pytest.approx(0.0, abs=1e-12)
         assert found == pytest.approx(expected, abs=1e-12)
-        tip = Arm(model.at(stand) if model.equipment.telescope else model).forward(angles)
+        tip = Arm(model.at(stand) if model.telescope else model).forward(angles)
         assert view.data.site("tip").xpos == pytest.approx(tip.position, abs=1e-12)
         assert view.data.site("tip").xmat == pytest.approx(tip.rotation.ravel(), abs=1e-12)
         assert view.height == pytest.approx(stand, abs=1e-12)
@@ -106,38 +105,44 @@ def of_pinocchio(model: ArmModel) -> tuple[Any, Array]:
     return made, servo.armature
 
 
+@pytest.mark.parametrize(("table", "flexible"), [("flexibility", True), ("servo", False)])
+def test_arm_without_the_numbers_of_a_plant_says_which_table_is_missing(table: str, flexible: bool) -> None:
+    without: dict[str, Any] = {table: None}
+    with pytest.raises(ArmError, match=table):
+        arm_spec(replace(load_model("srms"), **without), flexible=flexible, orbiter=None)
+
+
 @pytest.mark.parametrize(
-    ("name", "table", "flexible"),
+    ("name", "joint", "without"),
     [
-        ("srms", "flexibility", True),
-        ("srms", "links", False),
-        ("srms", "servo", False),
-        ("concept-1972", "slides", False),
+        ("srms", "shoulder_yaw", {"link": None}),
+        ("srms", "elbow_pitch", {"link": None}),
+        ("srms", "wrist_roll", {"link": None}),
+        ("concept-1972", "shoulder_pitch", {"link": None}),
+        ("concept-1972", "stand", {"gain": None}),
+        ("concept-1972", "prong", {"force": None}),
     ],
 )
-def test_arm_without_the_numbers_of_a_plant_says_which_table_is_missing(name: str, table: str, flexible: bool) -> None:
+def test_joint_without_mass_or_drive_is_named_for_a_plant_with_masses(
+    name: str, joint: str, without: dict[str, Any]
+) -> None:
+    """What joins two joints with the same centre needs no mass, such as the parts of a wrist whose axes meet."""
     model = load_model(name)
-    without: dict[str, Any] = {table: None}
-    lacking = replace(model, source=msgspec.structs.replace(model.source, **without))
-    if table != "links":
-        lacking = replace(lacking, **without)
-    with pytest.raises(ArmError, match=table):
-        arm_spec(lacking, flexible=flexible, orbiter=None)
+    joints = [msgspec.structs.replace(j, **(without if j.name == joint else {})) for j in model.source.joint]
+    source: Any = msgspec.structs.replace(model.source, joint=tuple(joints))
+    with pytest.raises(ArmError, match=f"for {joint}$"):
+        arm_spec(replace(model, source=source, switched=switched_of(source)), flexible=False, orbiter=None)
 
 
-@pytest.mark.parametrize(("name", "part"), [("srms", "upper_boom"), ("srms", "shoulder"), ("concept-1972", "hand")])
-def test_arm_with_a_part_without_mass_is_named_for_a_plant_with_masses(name: str, part: str) -> None:
-    model = load_model(name)
-    assert not isinstance(model.source, ChainArmFile)
-    parts = model.source.masses.parts
-    without: Any = msgspec.structs.replace(parts.value, **{part: Mass(0.0)})
-    masses: Any = msgspec.structs.replace(model.source.masses, parts=msgspec.structs.replace(parts, value=without))
-    lacking = replace(model, source=msgspec.structs.replace(model.source, masses=masses))
-    with pytest.raises(ArmError, match=part):
+@pytest.mark.parametrize("part", ["telescope", "prong", "palm"])
+def test_block_without_mass_is_missing(part: str) -> None:
+    model = load_model("concept-1972")
+    bodies = [body for body in model.source.bodies if body.part not in (part, "stub", "fixed finger")]
+    lacking = replace(model, source=msgspec.structs.replace(model.source, bodies=tuple(bodies)))
+    with pytest.raises(ArmError, match=r"for (stand|prong|wrist_roll)$"):
         arm_spec(lacking, flexible=False, orbiter=None)
 
 
 def test_only_the_shuttle_s_arm_is_flexible() -> None:
-    assert isinstance(load_model("srms").source, YawArmFile)
     with pytest.raises(ArmError, match="flexibility"):
         arm_spec(load_model("concept-1972"), flexible=True, orbiter=None)

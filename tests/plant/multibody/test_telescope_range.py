@@ -10,7 +10,7 @@ from aftdeck.station.conversion.frame_of import Displays
 
 def test_telescope_past_the_end_of_its_range_ends_no_run() -> None:
     scenario = load_scenario("concept-1972", {("plant",): "rigid"})
-    telescope = scenario.arm.model.equipment.telescope
+    telescope = scenario.arm.model.telescope
     assert telescope is not None
     sim, displays = Simulation(scenario), Displays(scenario)
     lengths = []

@@ -43,11 +43,11 @@ def arm_spec(
 ) -> Any:
     """Return MuJoCo's specification of an arm, and of the payloads at the worksite.
 
-    Joints: ``motor.NAME`` and, if flexible, ``gearbox.NAME`` for each joint; ``telescope`` and ``prong`` if the arm has
-    them. Actuators: ``servo.NAME``, ``brake.NAME``, ``friction.NAME`` of the gearboxes, ``drive.telescope``,
-    ``drive.prong``. Bodies: the arm's frames,
-    ``payload`` at the tip, without mass, and ``orbiter`` with the joint ``orbiter`` if it is free. The site ``tip`` has
-    the axes of frame 7. With and without a payload, MuJoCo's state has the same size.
+    Joints: ``motor.NAME`` and, if flexible, ``gearbox.NAME`` for each joint; those that switches drive have the
+    switches' names, ``telescope`` and ``prong``. Actuators: ``servo.NAME``, ``brake.NAME``, ``friction.NAME`` of the
+    gearboxes, ``drive.SWITCH``. Bodies: the arm's frames, ``payload`` at the tip, without mass, and ``orbiter`` with
+    the joint ``orbiter`` if it is free. The site ``tip`` has the axes of frame 7. With and without a payload, MuJoCo's
+    state has the same size.
 
     Args:
         model: the arm.
@@ -84,7 +84,7 @@ def attach(spec: Any, payload: MassProperties) -> None:
 
 
 def _add_actuators(spec: Any, model: ArmModel, *, flexible: bool) -> None:
-    servo, slides = servo_needed(model), model.slides
+    servo = servo_needed(model)
     springs = flexibility_needed(model) if flexible else None
     for i, name in enumerate(model.joints):
         _rate_servo(spec, f"servo.{name}", f"motor.{name}", servo.gain[i], servo.torque_limit[i], SERVOS)
@@ -95,9 +95,9 @@ def _add_actuators(spec: Any, model: ArmModel, *, flexible: bool) -> None:
             _friction(
                 spec, f"friction.{name}", f"gearbox.{name}", most, stiffness, springs.damping * stiffness, GEARBOXES
             )
-    if slides is not None:
-        _rate_servo(spec, "drive.telescope", "telescope", slides.telescope_gain, slides.telescope_force, SLIDES)
-        _rate_servo(spec, "drive.prong", "prong", slides.prong_gain, slides.prong_force, SLIDES)
+    for joint in model.switched:
+        if joint.drive is not None:
+            _rate_servo(spec, f"drive.{joint.driver}", joint.driver, joint.drive.gain, joint.drive.force, SLIDES)
 
 
 def _rate_servo(spec: Any, name: str, joint: str, gain: float, most: float, group: int) -> None:

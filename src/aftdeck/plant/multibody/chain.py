@@ -12,9 +12,9 @@ import mujoco
 import numpy as np
 
 from aftdeck.arms.flexures import Flexure
-from aftdeck.arms.geometry import PRONG, STAND
 from aftdeck.arms.load import ArmModel
 from aftdeck.arms.masses import Boom, flexibility_needed, masses_of, servo_needed
+from aftdeck.arms.switched import SwitchedJoint
 from aftdeck.arrays import Array
 from aftdeck.bodies.mass_properties import ROUNDING, MassProperties, joined
 
@@ -52,21 +52,21 @@ class _Chain:
         self._springs = flexibility_needed(model) if flexible else None
         self._bodies = dict(self._masses.bodies)
         if flexible:
-            self._bodies["base"] = self._bodies.pop(model.linkage.frames[0])  # the foot turns with the base
+            self._bodies["base"] = self._bodies.pop(model.linkage.frames[0], DUST)  # the foot turns with the base
 
     def add_to(self, parent: Body) -> Body:
         frames, linkage = self._model.linkage.frames, self._model.linkage
         at = self._body(parent, frames[0], np.zeros(3), moving=False)
         at = self._base(at)
         centre = np.zeros(3)
-        if STAND in self._model.frames:
-            at, centre = self._telescope(at)
+        if self._model.telescope is not None:
+            height = float(linkage.links[0])
+            at, centre = self._slide(at, self._model.telescope, height), np.array([0.0, 0.0, height])
         for i, frame in enumerate(frames[1:]):
             at = self._joint(at, i, frame, centre + linkage.steps[i])
             at, centre = self._along(at, frame)
-        if PRONG in self._model.frames:
-            body = self._body(at, PRONG, np.zeros(3))
-            self._hinge(body, "prong", AXES[1], kind=mujoco.mjtJoint.mjJNT_SLIDE)
+        if self._model.prong is not None:
+            self._slide(at, self._model.prong, 0.0)
         return at
 
     def _base(self, at: Body) -> Body:
@@ -78,12 +78,11 @@ class _Chain:
             self._hinge(body, f"base.{name}", axis, stiffness)
         return body
 
-    def _telescope(self, at: Body) -> tuple[Body, Array]:
-        """Add the telescope's tube; return it, and L's origin in its frame."""
-        height = float(self._model.links[0])
-        body = self._body(at, STAND, np.array([0.0, 0.0, -height]))
-        self._hinge(body, "telescope", -AXES[2], kind=mujoco.mjtJoint.mjJNT_SLIDE)
-        return body, np.array([0.0, 0.0, height])
+    def _slide(self, at: Body, joint: SwitchedJoint, begin: float) -> Body:
+        """Add a joint that a switch drives; MuJoCo's coordinate is 0 at the joint's coordinate `begin` [m]."""
+        body = self._body(at, joint.frame, begin * joint.axis)
+        self._hinge(body, joint.driver, joint.axis, kind=mujoco.mjtJoint.mjJNT_SLIDE)
+        return body
 
     def _joint(self, at: Body, i: int, frame: str, centre: Array) -> Body:
         """Add a joint: its motor and, on a flexible arm, the gearbox behind it."""

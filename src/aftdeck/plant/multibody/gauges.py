@@ -21,8 +21,6 @@ from aftdeck.plant.multibody.view import View
 from aftdeck.plant.readings import CUTS, Load, Readings
 from aftdeck.tuples import plain_vector
 
-BOOMS = (2, 3)
-"""Indices of the frames that carry upper and lower boom, in `Linkage.frames`, for both families of arms."""
 LOAD = 8
 """Numbers of a load: force [N] and moment [N m] at the end of a step, and the greatest size of each."""
 
@@ -33,7 +31,7 @@ class Gauges:
     def __init__(self, view: View, arm: ArmModel) -> None:
         model = view.model
         self._model, self._data = model, view.data
-        booms = [model.body(arm.linkage.frames[row]).id for row in BOOMS]
+        booms = [model.body(arm.linkage.frames[row]).id for row in arm.linkage.arms[:2]]
         self._bodies = np.array([*booms, model.body("payload").id])
         self._axes = np.array([*booms, model.body(arm.linkage.frames[-1]).id])
         self._roots = np.array(model.body_rootid[self._bodies], dtype=np.int64)

@@ -8,8 +8,8 @@ import mujoco
 import numpy as np
 
 from aftdeck.arms.flexures import flexures_of
-from aftdeck.arms.geometry import PRONG, STAND
 from aftdeck.arms.load import ArmModel
+from aftdeck.arms.switched import SwitchedJoint
 from aftdeck.arrays import Array
 from aftdeck.plant.multibody.chain import end_body
 from aftdeck.plant.multibody.joint_laws import bends_of, poses_in_base
@@ -43,10 +43,8 @@ class View:
         self.gearboxes = np.array([int(model.jnt_qposadr[joint]) for joint in geared if joint >= 0], dtype=np.int64)
         self._frames = np.array([model.body(name).id for name in arm.frames])
         self._orbiter = _find(model, mujoco.mjtObj.mjOBJ_BODY, "orbiter")
-        self._telescope = int(model.joint("telescope").qposadr[0]) if STAND in arm.frames else -1
-        self._drive = _input(model, "drive.telescope") if STAND in arm.frames else -1
-        self._prong = int(model.joint("prong").qposadr[0]) if PRONG in arm.frames else -1
-        self._grip = _input(model, "drive.prong") if PRONG in arm.frames else -1
+        self._telescope, self._drive = _switched(model, arm.telescope)
+        self._prong, self._grip = _switched(model, arm.prong)
         self._height = float(arm.links[0])
         self.has_telescope, self.rows = self._telescope >= 0, len(self._frames)
         parts = flexures_of(arm) if len(self.gearboxes) else ()
@@ -114,9 +112,12 @@ class View:
             frames[1, :3] = 0.0
 
 
-def _input(model: Any, actuator: str) -> int:
-    """Return the place of an actuator's input in MuJoCo's controls."""
-    return int(model.actuator_ctrladr[model.actuator(actuator).id])
+def _switched(model: Any, joint: SwitchedJoint | None) -> tuple[int, int]:
+    """Return the places of a joint's coordinate and of its drive's input; -1 without the joint."""
+    if joint is None:
+        return -1, -1
+    actuator = model.actuator(f"drive.{joint.driver}").id
+    return int(model.joint(joint.driver).qposadr[0]), int(model.actuator_ctrladr[actuator])
 
 
 def _find(model: Any, kind: Any, name: str) -> int:

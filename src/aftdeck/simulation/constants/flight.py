@@ -75,7 +75,7 @@ def run_constants(scenario: Scenario, *, gauged: bool = False) -> Flight:
         site,
         Cameras(scenario),
         travel_of_stand(model),
-        travel_of_prong(model.equipment.prong),
+        travel_of_prong(model),
         max(WATCHED, FAST * scenario.control_period),
         pairs(model.limits.reach),
         pairs(model.limits.soft),

@@ -81,16 +81,16 @@ def bar_of(model: ArmModel, worksite: Worksite, cargo: tuple[Cargo, ...], parts:
         cargo: the payloads.
         parts: for each solid of the layout, the name of its part.
     """
-    rule, prong = worksite.acquisition, model.equipment.prong
+    rule, prong = worksite.acquisition, model.prong
     if prong is None or not isinstance(rule, BarAcquisition):
         return None
-    spacing = rule.prong_spacing + prong.fixed_finger
+    spacing = rule.prong_spacing + prong.facing
     tolerances = Tolerances(spacing, rule.window, rule.front, rule.rear, rule.fingers_within)
     bars = np.full((len(cargo), len(HEXES) + 1), -1, dtype=np.int64)
     for row, payload in zip(bars, cargo, strict=True):
         if payload.receptacle is not None:
             row[:] = [parts.index(name) for name in (*HEXES, part_of(payload.name, "receptacle"))]
-    return Bar(tolerances, tolerances.packed(), bars, prong.fixed_finger)
+    return Bar(tolerances, tolerances.packed(), bars, prong.facing)
 
 
 def snares_of(worksite: Worksite, cargo: tuple[Cargo, ...]) -> Snares | None:

@@ -7,8 +7,8 @@ from functools import cached_property, lru_cache
 
 import numpy as np
 
-from aftdeck.arms.geometry import PRONG, STAND
 from aftdeck.arms.load import ArmModel
+from aftdeck.arms.switched import SwitchedJoint
 from aftdeck.arrays import Array, Indices, Mask
 from aftdeck.bodies.pose import POSE, row_of
 from aftdeck.bodies.solid import Solid
@@ -176,10 +176,12 @@ def site_of(scenario: Scenario) -> Site:
     own, held = arm_solids(model, worksite), _attached_solids(scenario)
     solids = all_solids(scenario)
     foot, *joints = model.linkage.frames
-    chain = [name for name in (foot, STAND, *joints, PRONG) if name in arm.names]
+    chain = [foot, *_moved_by(model.telescope), *joints, *_moved_by(model.prong)]
     stationary = _stationary_parts(model, own)
     mounted = {(a, b.part) for a in stationary for b in worksite.solids if b.frame == "orbiter"}
-    hand = {solid.part for solid in own if solid.frame in (PRONG, model.linkage.frames[-1], *_ball(model))}
+    hand = {
+        solid.part for solid in own if solid.frame in (*_moved_by(model.prong), model.linkage.frames[-1], *_ball(model))
+    }
     attached = {(part, solid.part) for part in hand for solid in held}
     layout = layout_of(frames, solids, part_pairs(solids, chain, mounted | attached | _unfoldable_pairs(model, own)))
     own_parts = {solid.part for solid in own}
@@ -211,7 +213,7 @@ def site_of(scenario: Scenario) -> Site:
         meeting_groups=np.array([meeting.group for meeting in meetings], dtype=np.int64),
         meeting_aligns=np.array([meeting.relation in ALIGNED for meeting in meetings], dtype=np.uint8),
         by_arm=by_arm,
-        by_prong=layout.carried([PRONG]) if PRONG in arm.names else np.zeros_like(by_arm),
+        by_prong=np.zeros_like(by_arm) if model.prong is None else layout.carried([model.prong.frame]),
         of_cargo=of_cargo,
         held=with_hand,
         not_held=tuple(1 - pairs for pairs in with_hand),
@@ -223,7 +225,7 @@ def site_of(scenario: Scenario) -> Site:
         scene=scene_in_l(scenario),
         hand=row_of(Pose(model.linkage.tip, np.eye(3))),
         effector=row_of(Pose(model.linkage.tip, rotation_x(model.end_effector_roll))),
-        prong=model.equipment.prong is not None,
+        prong=model.prong is not None,
         bar=bar_of(model, worksite, cargo, [solid.part for solid in solids]),
         snares=snares_of(worksite, cargo),
         detrimental=1 - essential,
@@ -287,6 +289,11 @@ def _attached_solids(scenario: Scenario) -> tuple[Solid, ...]:
     )
 
 
+def _moved_by(joint: SwitchedJoint | None) -> tuple[str, ...]:
+    """Return the name of the frame that a joint moves; () without the joint."""
+    return () if joint is None else (joint.frame,)
+
+
 def _stationary_parts(model: ArmModel, own: tuple[Solid, ...]) -> set[str]:
     """Return the arm's parts that stay at the mount.
 
@@ -295,7 +302,7 @@ def _stationary_parts(model: ArmModel, own: tuple[Solid, ...]) -> set[str]:
     """
     foot, first, *_ = model.linkage.frames
     places = np.cumsum(model.linkage.steps, axis=0)
-    near = {foot, first, STAND}
+    near = {foot, first, *_moved_by(model.telescope)}
     reach: dict[str, float] = {}
     for solid in own:
         if solid.frame in near:
@@ -316,7 +323,12 @@ def _unfoldable_pairs(model: ArmModel, own: tuple[Solid, ...]) -> set[PartPair]:
     ends = {(names[k], names[k + 2]) for k in range(len(links) - 1) if links[k + 1] < SHORT}
     if ball:
         before = names[names.index(ball[0]) - 1]
-        ends |= {(inner, outer) for inner in (before, *ball) for outer in (names[-1], PRONG) if inner != outer}
+        ends |= {
+            (inner, outer)
+            for inner in (before, *ball)
+            for outer in (names[-1], *_moved_by(model.prong))
+            if inner != outer
+        }
     return {(a.part, b.part) for inner, outer in ends for a in own if a.frame == inner for b in own if b.frame == outer}
 
 

@@ -129,11 +129,11 @@ def near_of(layout: Layout, essential: Mask, found: Array, group: int) -> Near:
 
 def _hand(flight: Flight, worksite: WorksiteState, *, loaded: bool) -> Hand:
     """Return the record of the end effector; `loaded`: whether a payload is in the grasp."""
-    has = flight.scenario.arm.model.equipment.prong
+    has = flight.scenario.arm.model.prong
     if has is not None:
         prong, travel = worksite.prong.position, flight.prong
         opening = (travel.high - prong) / (travel.high - travel.low)
-        spacing = has.fixed_finger - prong
+        spacing = has.facing - prong
         shows = (("CAPTURE", loaded), ("CLOSE", opening == 0.0), ("OPEN", opening == 1.0))
         return Hand(worksite.switch, opening, spacing, None, tuple(name for name, on in shows if on))
     snare = worksite.snare

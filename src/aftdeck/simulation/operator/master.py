@@ -18,7 +18,7 @@ AXES: tuple[StickAxis, ...] = ("RHC roll", "RHC pitch", "RHC yaw", "THC X", "THC
 
 def axes_of(model: ArmModel) -> tuple[int | None, ...]:
     """Return the index in `AXES` of the stick axis that moves each joint of the master arm; None for no axis."""
-    return tuple(None if axis is None else AXES.index(axis) for axis in model.equipment.master)
+    return tuple(None if axis is None else AXES.index(axis) for axis in model.master)
 
 
 def turn_master(axes: tuple[int | None, ...], rules: Array, command: Array, period: float) -> None:

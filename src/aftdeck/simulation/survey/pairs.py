@@ -60,7 +60,7 @@ def _folded(scenario: Scenario) -> Iterator[Problem]:
     An arm whose solids enclose round parts is not tested: its solids overlap at the joints by design.
     """
     model = scenario.arm.model
-    if model.equipment.covered:
+    if model.covered:
         return
     home = {solid.part: solid.frame for solid in arm_solids(model, scenario.worksite)}
     layout = site_of(scenario).layout

@@ -76,6 +76,6 @@ def _travel(scenario: Scenario) -> tuple[tuple[float, ...], float]:
     Without a telescope, the height of the shoulder replaces the two ends. Without a prong, the prong's position is 0.
     """
     model = scenario.arm.model
-    telescope, prong = model.equipment.telescope, model.equipment.prong
+    telescope, prong = model.telescope, model.prong
     ends = (float(model.links[0]),) if telescope is None else (telescope.least, telescope.greatest)
-    return ends, 0.0 if prong is None else prong.opened
+    return ends, 0.0 if prong is None else prong.least

@@ -104,7 +104,7 @@ def _beyond(scenario: Scenario, tip: Pose, stand: float) -> str:
 
 def _at(scenario: Scenario, stand: float) -> Arm:
     arm = scenario.arm
-    return arm if arm.model.equipment.telescope is None else arm.at(stand=stand)
+    return arm if arm.model.telescope is None else arm.at(stand=stand)
 
 
 def _scene(scenario: Scenario) -> Pose:

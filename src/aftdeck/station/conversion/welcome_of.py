@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from aftdeck.arms.geometry import PRONG
 from aftdeck.arrays import Array
 from aftdeck.details.details_of import details_of
 from aftdeck.scenario.all_cameras import cameras_of
@@ -93,11 +92,11 @@ def welcome_of(scenario: Scenario, *, demo: bool) -> Welcome:
 def _work(scenario: Scenario) -> WorkInfo:
     """Return the equipment of a scenario's worksite and its clearance thresholds."""
     model = scenario.arm.model
-    equipment = model.equipment
+    telescope, prong = model.telescope, model.prong
     return WorkInfo(
-        hand="snares" if equipment.prong is None else "prong",
-        effector=(model.linkage.frames[-1], *(() if equipment.prong is None else (PRONG,))),
-        stand=None if equipment.telescope is None else StandInfo(*equipment.telescope),
+        hand="snares" if prong is None else "prong",
+        effector=(model.linkage.frames[-1], *(() if prong is None else (prong.frame,))),
+        stand=None if telescope is None else StandInfo(telescope.least, telescope.greatest, telescope.rate),
         cargo=tuple(cargo.name for cargo in scenario.cargo),
         seats=tuple(SeatInfo(seat.name, seat.title) for seat in scenario.worksite.seats),
         parts=tuple(scenario.parts),

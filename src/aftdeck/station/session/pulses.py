@@ -138,7 +138,7 @@ class Pulses:
 
     def _telescope(self) -> Axis:
         """Return the telescope's limits; it has no ramp. Without a telescope, its stick moves nothing."""
-        telescope = self._scenario.arm.model.equipment.telescope
+        telescope = self._scenario.arm.model.telescope
         return Axis(DISTANCE, 1.0 if telescope is None else telescope.rate, math.inf)
 
     def _orbiter(self) -> Axis:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from aftdeck.arms.model import Sides
+from aftdeck.arms.body_file import Sides
 from aftdeck.shapes import Material, Shape, without_lamps
 from aftdeck.units import Angle, AngularRate, Length, Mass, Speed
 from aftdeck.worksite.file.mass_file import MassTable

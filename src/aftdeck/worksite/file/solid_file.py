@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Annotated
 
-from aftdeck.arms.model import Sides
+from aftdeck.arms.body_file import Sides
 from aftdeck.bodies.cover import FEWEST_WALLS, SIDES
 from aftdeck.bounds import Bounds
 from aftdeck.shapes import Axis, Material

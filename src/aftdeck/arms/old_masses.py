@@ -1,4 +1,4 @@
-"""Arm files in recordings of Aftdeck before 0.2: their masses are those of housings and booms, not of links.
+"""Masses in arm files of Aftdeck before 0.2, which are those of housings and booms, not of links.
 
 The converted file gives each link the same mass, centre of mass and moments of inertia. Only the boundaries between
 neighbouring spheres and rods inside a link differ.
@@ -10,45 +10,40 @@ from typing import Any
 
 import numpy as np
 
-from aftdeck.arms.model import YawParts
 from aftdeck.arrays import Array
 from aftdeck.bodies.mass_properties import MassProperties, about, cylinder, joined, sphere
-from aftdeck.errors import ScenarioError
-from aftdeck.files import Text, raw_contents
-from aftdeck.scenario.changes import as_toml
 from aftdeck.units import Length, Mass, MomentOfInertia
 
+LINKS = ("foot", "shoulder", "upper_boom", "lower_boom", "wrist_pitch", "wrist_yaw", "end_effector")
+"""Links of an arm of the Shuttle's family."""
 _SOURCE = {"source": "converted from the masses of housings and booms", "confidence": "assumed"}
 _FOOT = 0.5
 """Length given to the foot, which is fixed to the vehicle, so that its own mass properties have no effect [m]."""
 
 
-def of_today(file: Text) -> Text:
-    """Return a recorded arm file in today's form; the same file if it has that form already, or is no arm file."""
+def with_links(raw: dict[str, Any]) -> None:
+    """Convert the masses in the contents of an arm file, if they are those of housings; else change nothing."""
     try:
-        raw = raw_contents(file)
         parts = raw["masses"]["parts"]["value"]
         if "yaw_housing" not in parts:
-            return file
+            return
         masses = {name: float(Mass.read(value)) for name, value in parts.items()}
-        names = YawParts.__struct_fields__
         raw.get("flexibility", {}).pop("added_inertia", None)
         housings = raw.pop("housings", None)
         if housings is None:
-            raw["masses"]["parts"]["value"] = dict.fromkeys(names, sum(masses.values()) / len(names))
-        else:
-            links = _links(masses, housings, raw["geometry"])
-            raw["masses"]["parts"]["value"] = {n: body.mass for n, body in zip(names, links, strict=True)}
-            raw["links"] = {
-                "centre": {"value": [float(body.centre[0]) for body in links], **_SOURCE},
-                "inertia": {"value": [_moments(body) for body in links], **_SOURCE},
-                "foot": {"value": _FOOT, **_SOURCE},
-                "boom_radius": housings["boom_radius"],
-                "wrist_yaw_to_roll": housings["wrist_yaw_to_roll"],
-            }
-    except (ScenarioError, ValueError, TypeError, KeyError, AttributeError):
-        return file  # the reader of arm files says what is wrong with it
-    return Text(file.name, "\n".join([*(f"{as_toml(key)} = {as_toml(value)}" for key, value in raw.items()), ""]))
+            raw["masses"]["parts"]["value"] = dict.fromkeys(LINKS, sum(masses.values()) / len(LINKS))
+            return
+        links = _links(masses, housings, raw["geometry"])
+        raw["masses"]["parts"]["value"] = {n: body.mass for n, body in zip(LINKS, links, strict=True)}
+        raw["links"] = {
+            "centre": {"value": [float(body.centre[0]) for body in links], **_SOURCE},
+            "inertia": {"value": [_moments(body) for body in links], **_SOURCE},
+            "foot": {"value": _FOOT, **_SOURCE},
+            "boom_radius": housings["boom_radius"],
+            "wrist_yaw_to_roll": housings["wrist_yaw_to_roll"],
+        }
+    except (ValueError, TypeError, KeyError, AttributeError):
+        return  # the reader of arm files says what is wrong with it
 
 
 def _links(m: dict[str, float], housings: dict[str, Any], geometry: dict[str, Any]) -> list[MassProperties]:

@@ -1,0 +1,95 @@
+"""Checks of an arm file's joints that field types cannot express."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from aftdeck.arms.chain import chain_length
+from aftdeck.arms.geometry import FOOT, GENERAL, linkage_of
+from aftdeck.arms.joints import JointFile, SourcesFile
+from aftdeck.arms.limits import limit_problems, limits_of, rates_of
+from aftdeck.arms.link_file import BodyLink, LinkFile
+from aftdeck.arms.model import ArmFile
+from aftdeck.arms.switched import PRONG, TELESCOPE, carrier_of
+from aftdeck.bodies.mass_properties import impossible, tensor
+from aftdeck.files import Problem, Where
+from aftdeck.matrices import length
+from aftdeck.tuples import MOST_JOINTS
+
+RESERVED = FOOT.removeprefix("arm.")
+"""Name that no joint can have, because the foot's frame has it."""
+SHORTEST = 1e-3
+"""Least length of the vector along a joint's axis [1], and of an arm [m] (assumed)."""
+
+
+def joint_problems(file: ArmFile) -> list[Problem]:
+    """Return a problem, with its place in the file, for each joint that cannot be."""
+    if not 1 <= len(file.turns) <= MOST_JOINTS:
+        return [Problem(("joint",), f"expected 1 to {MOST_JOINTS} joints that turn, got {len(file.turns)}")]
+    found = list(_unsourced(file, file.foot, ("foot",), None))
+    names = [joint.name for joint in file.joint]
+    for i, joint in enumerate(file.joint):
+        found += [Problem(("joint", i, *where), what) for where, what in _of_joint(file, joint)]
+        if joint.name == RESERVED:
+            what = f"{joint.name!r} names the frame of the foot; expected another name"
+            found.append(Problem(("joint", i, "name"), what))
+        if joint.name in names[:i]:
+            what = f"the joints need different names; {joint.name!r} is already the name of another joint"
+            found.append(Problem(("joint", i, "name"), what))
+    numbers = [file.joint.index(turn) for turn in file.turns]
+    for limit in limit_problems(file.joints, limits_of(file), rates_of(file)):
+        found.append(Problem(("joint", numbers[limit.joint], limit.quantity), limit.what))
+    reach = chain_length([turn.step for turn in file.turns], file.tip.value)
+    if reach < SHORTEST:
+        what = (
+            f"the distances from joint to joint and to the tip are {reach:g} m in all; expected {SHORTEST:g} m or more"
+        )
+        found.append(Problem(("tip",), what))
+    if not any(turn.weight for turn in file.turns):
+        found.append(Problem(("joint",), "every joint has the weight 0, so the sticks would move none"))
+    return found or [*_slide_problems(file)]
+
+
+def _of_joint(file: ArmFile, joint: JointFile) -> Iterator[tuple[Where, str]]:
+    """Yield what is wrong with one joint, and where in its table."""
+    if length(joint.axis) < SHORTEST:
+        yield ("axis",), f"expected the direction of an axis, got {', '.join(f'{part:g}' for part in joint.axis)}"
+    if (joint.source is None) != (joint.confidence is None):
+        yield (), "expected `source` and `confidence`, or neither"
+    if joint.source is None:
+        for problem in (*_unsourced(file, joint, (), None), *_unsourced(file, joint.link, (), joint.name)):
+            yield problem.where, problem.what
+    if isinstance(joint.link, BodyLink) and (why := impossible(tensor(joint.link.inertia))):
+        yield ("link", "inertia"), why
+
+
+def _unsourced(file: ArmFile, table: JointFile | LinkFile | None, where: Where, name: str | None) -> Iterator[Problem]:
+    """Yield a problem for each quantity of a joint or link that has no source."""
+    for quantity in () if table is None else table.__struct_fields__:
+        given = quantity in SourcesFile.__struct_fields__ and getattr(table, quantity) is not None
+        if given and getattr(file.sources, quantity) is None:
+            of = "" if name is None else f" of the link behind {name}"
+            yield Problem(where, f"no source of `{quantity}`{of}: expected one here, or [sources.{quantity}]")
+
+
+def _slide_problems(file: ArmFile) -> Iterator[Problem]:
+    """Yield what is wrong with the joints that switches drive; the laws serve one telescope and one prong."""
+    last = file.turns[-1].name
+    for k, slide in enumerate(file.slides):
+        where: Where = ("joint", file.joint.index(slide))
+        carrier, along = carrier_of(file, slide), tuple(map(float, slide.axis))
+        if slide.driver in (other.driver for other in file.slides[:k]):
+            yield Problem((*where, "driver"), f"the {slide.driver} switch already drives another joint")
+        if slide.driver == TELESCOPE and (where[1] != 0 or along != (0.0, 0.0, -1.0) or any(slide.step)):
+            yield Problem(where, "a telescope is the first joint, at L's origin, with the axis 0, 0, -1")
+        if slide.driver == TELESCOPE and linkage_of(file).links[7] == GENERAL:
+            yield Problem(where, "only an arm with a closed form can have a telescope (docs/architecture.md)")
+        if slide.driver == PRONG and (carrier != last or along != (0.0, 1.0, 0.0) or any(slide.step)):
+            yield Problem(where, f"a prong is on the last joint that turns, {last}, with the axis 0, 1, 0 and no step")
+        least, start, greatest = slide.least.value, slide.start.value, slide.greatest.value
+        if not (least <= start <= greatest and least < greatest):
+            what = f"expected least <= start <= greatest, got {least:g}, {start:g}, {greatest:g} m"
+            yield Problem(where, what)
+        if slide.driver == PRONG and (slide.facing is None or not greatest < slide.facing.value):
+            what = "the prong closes towards the fixed finger: expected `facing`, a coordinate greater than `greatest`"
+            yield Problem(where, what)
