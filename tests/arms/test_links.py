@@ -76,6 +76,8 @@ def test_links_of_the_shuttle_have_the_moments_of_their_file_about_their_joints(
         ('[["30 in", 0.0, 0.0], ["56 in", 0.0, 0.0]]', '[["30 in", 0.0, 0.0], ["56 in", 0.1, 0.0]]', "joint[5].link"),
         ('part = "foot"\n', 'part = "foot"\nradius = 0.1\n', "foot.radius"),
         ("torsion = 2.1e6\n", "", "joint[2].link"),
+        ('part = "lower_boom"', 'part = "upper_boom"', "joint[2].link.part"),
+        ('part = "lower_boom"', 'part = "base"', "joint[2].link.part"),
         ("mass = 87.42", "mass = 8.742", "mass"),
         ("[sources.moments]", "[sources.inertia]", "foot: no source of `moments`"),
     ],

@@ -10,7 +10,7 @@ from msgspec.structs import replace
 
 import aftdeck
 from aftdeck import Inputs
-from aftdeck.errors import UnreachableError
+from aftdeck.errors import AftdeckError, UnreachableError
 from aftdeck.frames import Pose
 from aftdeck.recording.reader import Recording
 from aftdeck.recording.replay import verify
@@ -107,3 +107,18 @@ def test_pose_out_of_reach_is_refused_with_the_miss(name: str) -> None:
 @pytest.mark.parametrize("plant", ["kinematic", "rigid"])
 def test_script_flies_on_each_plant(name: str, plant: str) -> None:
     assert run(load_scenario(CHAINS / f"fly-{name}.toml", {"plant": plant})).summary.ended == "completed"
+
+
+def test_chain_whose_file_has_springs_flies_on_the_flexible_plant() -> None:
+    sim = Simulation(load_scenario(CHAINS / "fly-seven.toml", {"plant": "flexible"}))
+    most = 0.0
+    for _ in range(400):
+        dynamics = sim.step().dynamics
+        assert dynamics is not None and [bend.part for bend in dynamics.bends] == ["base", "upper_boom", "lower_boom"]
+        most = max(most, *(abs(part) for bend in dynamics.bends for part in bend.displacement))
+    assert 1e-5 < most < 0.05
+
+
+def test_chain_without_springs_has_no_flexible_plant() -> None:
+    with pytest.raises(AftdeckError, match="flexibility"):
+        Simulation(load_scenario(CHAINS / "fly-five.toml", {"plant": "flexible"}))

@@ -152,7 +152,14 @@ def rods_of(file: ArmFile) -> Iterator[tuple[Where, str, Link]]:
 
 def rod_problems(file: ArmFile) -> list[Problem]:
     """Return a problem for each rod that no body can be, or that is where none can be."""
-    found = [Problem((*where, "moments"), why) for where, _, link in rods_of(file) for why in link.problems()]
+    found, booms = [], ["base"]
+    for where, _, link in rods_of(file):
+        found += [Problem((*where, "moments"), why) for why in link.problems()]
+        if link.bends and link.name in booms:
+            found.append(
+                Problem((*where, "part"), f"parts that bend need different names, also from 'base': {link.name!r}")
+            )
+        booms += [link.name] if link.bends else []
     if isinstance(file.foot, RodLink) and file.foot.radius is not None:
         found.append(Problem(("foot", "radius"), "only links behind joints that turn can bend"))
     for i, joint in enumerate(file.joint):

@@ -23,14 +23,15 @@ from tests import loaded
 from tests.plant.multibody.flights import ideal, move, scenario
 
 
-def test_laws_place_a_bent_arm_where_its_bodies_are() -> None:
-    model, rng = load_model("srms"), np.random.default_rng(3)
+@pytest.mark.parametrize("name", ["srms", str(loaded.CHAINS / "seven.toml")])
+def test_laws_place_a_bent_arm_where_its_bodies_are(name: str) -> None:
+    model, rng = load_model(name), np.random.default_rng(3)
     view, frames = View(arm_spec(model, flexible=True, orbiter=None).compile(), model), frames_of(model)
     parts = flexures_of(model)
     carriers, ends = np.array([part.frame for part in parts]), np.array([part.end for part in parts])
     for _ in range(20):
         view.qpos[:] = rng.uniform(-0.1, 0.1, len(view.qpos))
-        view.qpos[view.motors] = rng.uniform(-2.0, 2.0, 6)
+        view.qpos[view.motors] = rng.uniform(-2.0, 2.0, len(view.motors))
         mujoco.mj_kinematics(view.model, view.data)
         found, bends, base = np.empty((view.rows, 12)), np.empty((view.flexures, BEND)), np.array(HERE)
         view.write_poses(found, bends, base)
