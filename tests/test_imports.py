@@ -80,8 +80,11 @@ LAYER = {name: rank for rank, names in enumerate(LAYERS) for name in names}
 
 WITHIN: dict[str, tuple[tuple[str, ...], ...]] = {
     "worksite": (
-        ("model", "conditions", "log_line", "free_flight"),
-        ("file", "watch", "capture", "seats"),
+        ("tables", "conditions", "log_line", "free_flight", "body", "payload", "relation"),
+        ("watch",),
+        ("berths", "capture"),
+        ("model",),
+        ("file",),
         ("sliding", "report"),
         ("__init__",),
     ),

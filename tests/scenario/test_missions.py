@@ -119,7 +119,7 @@ def test_latches_move_the_payload_to_its_stowed_pose() -> None:
 def test_docked_payload_is_at_its_port_within_tolerance() -> None:
     for name in ("concept-1972-script", "free-flyer"):
         done = flown(name)
-        (port,) = (seat for seat in done.scenario.worksite.seats if seat.name == "port")
+        (port,) = (seat for seat in done.scenario.worksite.berths if seat.name == "port")
         (cargo,) = done.scenario.cargo
         mount, docked = done.scenario.arm.model.mount, done.at("docked")
         assert cargo.probe is not None

@@ -62,7 +62,7 @@ def test_two_pictures_show_the_tip_at_the_start(name: str) -> None:
 def test_cameras_of_a_step_show_the_berth_of_its_target(name: str) -> None:
     """All steps that name cameras move a payload to, or out of, a berth; one of the two pictures shows the berth."""
     flown, cameras, frame = scenario(name), SceneCameras(scenario(name)), start(name)
-    seats = {seat.name: seat for seat in flown.worksite.seats}
+    seats = {seat.name: seat for seat in flown.worksite.berths}
     steps = [step for step in flown.steps if step.cameras]
     assert steps
     for step in steps:

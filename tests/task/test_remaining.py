@@ -147,7 +147,7 @@ def test_shift_moves_the_drawn_payload_into_its_berth() -> None:
     sim = Simulation(scenario("srms-berth"))
     displays, aims = Displays(sim.scenario), Aims(sim.scenario)
     frame = sim.step(STILL)
-    seat = next(seat for seat in sim.scenario.worksite.seats if seat.name == "bay")
+    seat = next(seat for seat in sim.scenario.worksite.berths if seat.name == "bay")
     shown = displays.frame(frame, 0).display
     assert shown.to_go is None  # the berth is too far to be an objective
     left = aims.remaining(frame, step_to(AtSeat("bay")))

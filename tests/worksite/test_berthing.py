@@ -15,9 +15,7 @@ from aftdeck.bodies.pose import HERE, row_of
 from aftdeck.errors import InputError
 from aftdeck.frames import Pose, rotation_x, rotation_y, rotation_z
 from aftdeck.units import INCH
-from aftdeck.worksite.conditions import Condition, all_hold, condition_text, failing, rejection_text
-from aftdeck.worksite.log_line import LogLine
-from aftdeck.worksite.seats.berthing import (
+from aftdeck.worksite.berths.berthing import (
     OFFSET,
     Guide,
     SeatTolerances,
@@ -28,7 +26,9 @@ from aftdeck.worksite.seats.berthing import (
     retained,
     switches,
 )
-from aftdeck.worksite.seats.latches import Latches, advance
+from aftdeck.worksite.berths.latches import Latches, advance
+from aftdeck.worksite.conditions import Condition, all_hold, condition_text, failing, rejection_text
+from aftdeck.worksite.log_line import LogLine
 
 TOLERANCES = SeatTolerances(0.05, radians(1.0))
 HEIGHT, HALF_ANGLE, THROAT, PLAY = 24.0 * INCH, radians(17.0), 0.02, 0.05

@@ -21,6 +21,7 @@ from aftdeck.kinematics.frames import frames_of, place_frames
 from aftdeck.scenario.load import load_scenario
 from aftdeck.simulation.constants.site import site_of
 from aftdeck.worksite import Cargo, Worksite, load_worksite
+from aftdeck.worksite.berths.port import Port
 from aftdeck.worksite.model import BarAcquisition
 
 FOOT = 0.3048
@@ -111,7 +112,7 @@ def test_receptacle_is_numbered_as_in_the_report(concept: Worksite) -> None:
 
 
 def test_docked_payload_has_its_probe_tip_at_the_port_centre(concept: Worksite) -> None:
-    port = concept.seats[0]
+    port = concept.berths[0]
     assert port.pose.position / FOOT == pytest.approx([-4.0, -16.0, 22.0])
     for cargo in concept.cargoes:
         assert cargo.probe is not None
@@ -127,7 +128,8 @@ def test_docked_payload_has_its_probe_tip_at_the_port_centre(concept: Worksite) 
 
 
 def test_docking_envelope_is_a_wedge_that_closes_one_apothem_out(concept: Worksite) -> None:
-    port = concept.seats[0]
+    port = concept.berths[0]
+    assert isinstance(port, Port)
 
     def inside(x: float, y: float, z: float) -> bool:
         planes = port.envelope
@@ -150,7 +152,7 @@ def test_arm_reaches_each_bar_at_the_start_in_the_bay_and_docked(concept: Worksi
     cargo = next(cargo for cargo in concept.cargoes if cargo.name == name)
     assert cargo.receptacle is not None
     top = float(cargo.receptacle[:, 2].max())
-    for pose in (cargo.start.pose, *(seat.seated(cargo.probe) for seat in concept.seats)):
+    for pose in (cargo.start.pose, *(seat.seated(cargo.probe) for seat in concept.berths)):
         bar = pose.rotation @ [0.0, 0.0, top + 0.03 * FOOT] + pose.position
         assert len(arm.inverse(Pose(REPORT @ bar, DOWN))) > 0
 
@@ -160,7 +162,7 @@ def test_tolerances_are_those_of_the_report(concept: Worksite) -> None:
     assert isinstance(rules, BarAcquisition)
     assert (rules.window / FOOT, rules.front / FOOT, rules.rear / FOOT) == pytest.approx((1 / 16, 0.5, 0.5))
     assert rules.fingers_within / FOOT == pytest.approx(8.0)
-    port = concept.seats[0]
+    port = concept.berths[0]
     assert (port.distance / FOOT, math.degrees(port.angle)) == pytest.approx((0.25, 2.0 + 32.0 / 60.0))
 
 
@@ -202,7 +204,7 @@ def test_camera_sees_the_bar_or_the_port_at_the_start(concept: Worksite, name: s
     start = payload.start.pose
     bar = start.position + start.rotation @ [0.0, 0.0, 6.2 * FOOT]
     if at == "port":
-        docked = concept.seats[0].seated(payload.probe)
+        docked = concept.berths[0].seated(payload.probe)
         assert seen(concept, name, docked.position, pose)
     else:
         assert seen(concept, name, bar, pose)

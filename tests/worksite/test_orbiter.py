@@ -23,6 +23,7 @@ from aftdeck.scene.placed import Leaf, placed
 from aftdeck.scene.solids import solid
 from aftdeck.shapes import Light, Ring
 from aftdeck.worksite import Worksite, load_worksite, worksites
+from aftdeck.worksite.berths.bay import BayBerth
 from aftdeck.worksite.file.check import distance
 
 INCH = 0.0254
@@ -191,18 +192,19 @@ def test_orbiter_origin_equals_the_scene_origin(orbiter: Worksite) -> None:
 
 def test_berth_guides_match_the_latch_solids(orbiter: Worksite) -> None:
     """Low and high in the V, a trunnion has the same clearance to the latch solids as to the berth's guides."""
-    (seat,) = orbiter.seats
+    (berth,) = orbiter.berths
+    assert isinstance(berth, BayBerth)
     (cargo,) = orbiter.cargoes
-    assert seat.guides is not None
+    assert berth.guides is not None
     x, y, z = cargo.trunnions[0] + cargo.start.pose.position
     latches = [body.vertices for body in orbiter.solids if body.part == "latches port"]
     blades = [body for body in latches if abs(body[:, 0].mean() - x) < 0.3]
     top = min(blade[:, 2].max() for blade in blades if blade[:, 2].max() > z)
-    assert top - z == pytest.approx(seat.guides.height, abs=0.02)
+    assert top - z == pytest.approx(berth.guides.height, abs=0.02)
     for height in (0.1, 0.4):
-        free = seat.guides.throat + 1.625 * INCH + height * math.tan(seat.guides.half_angle)
+        free = berth.guides.throat + 1.625 * INCH + height * math.tan(berth.guides.half_angle)
         room = min(distance(np.array([x, y, z + height]), blade) for blade in blades)
-        assert room / math.cos(seat.guides.half_angle) == pytest.approx(free, abs=0.02)
+        assert room / math.cos(berth.guides.half_angle) == pytest.approx(free, abs=0.02)
 
 
 def test_trunnion_contacts_with_both_latch_rows_are_essential(orbiter: Worksite) -> None:

@@ -9,7 +9,8 @@ from aftdeck.arms.shapes import shapes_of
 from aftdeck.bodies.cameras import KINDS, Camera, Setting, setting
 from aftdeck.scenario.model import Scenario
 from aftdeck.worksite.file.check import ARM
-from aftdeck.worksite.model import Cargo, Worksite
+from aftdeck.worksite.model import Worksite
+from aftdeck.worksite.payload import Cargo
 
 
 def cameras_of(scenario: Scenario) -> tuple[Camera, ...]:

@@ -33,7 +33,8 @@ from aftdeck.scenario.steps import task_steps
 from aftdeck.scenario.target import AtSeat
 from aftdeck.steering.mode import MODES
 from aftdeck.worksite.file.load import worksite_of
-from aftdeck.worksite.model import Cargo, OrbiterMotion, Worksite
+from aftdeck.worksite.model import OrbiterMotion, Worksite
+from aftdeck.worksite.payload import Cargo
 
 BUILT_IN = Path(__file__).parent / "builtin"
 """Folder of the scenarios that come with Aftdeck."""

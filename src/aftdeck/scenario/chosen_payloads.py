@@ -10,7 +10,8 @@ from aftdeck.arms.geometry import frozen
 from aftdeck.scenario.problems import Problems
 from aftdeck.scenario.schema import CargoSpec
 from aftdeck.worksite.file.cargo import start_of
-from aftdeck.worksite.model import Cargo, Worksite
+from aftdeck.worksite.model import Worksite
+from aftdeck.worksite.payload import Cargo
 
 
 def present_cargo(problems: Problems, worksite: Worksite | None, specs: Sequence[CargoSpec]) -> tuple[Cargo, ...]:
@@ -22,7 +23,7 @@ def present_cargo(problems: Problems, worksite: Worksite | None, specs: Sequence
     if worksite is None:
         return ()
     available = {payload.name: payload for payload in worksite.cargoes}
-    seats = {seat.name: seat for seat in worksite.seats}
+    seats = {seat.name: seat for seat in worksite.berths}
     present: list[Cargo] = []
     for i, spec in enumerate(specs):
         if spec.name not in available:

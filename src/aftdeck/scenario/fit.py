@@ -25,8 +25,8 @@ from aftdeck.scenario.on_arm import arm_solids
 from aftdeck.scenario.relative import at_cargo, composed, inverted, scene_in_l
 from aftdeck.scenario.target import AtCargo
 from aftdeck.worksite.conditions import Units, quantity_text
-from aftdeck.worksite.file.cargo import part_of
-from aftdeck.worksite.model import BarAcquisition, Cargo, Worksite
+from aftdeck.worksite.model import BarAcquisition, Worksite
+from aftdeck.worksite.payload import Cargo, part_of
 
 Parts = dict[str, list[Array]]
 """Hexahedra (8, 3) [m], by the part to which they belong."""
@@ -95,16 +95,16 @@ def _berth_misfits(
     in the berth, and yield the overlaps of the end effector with these surroundings.
     """
     hands_at_bar = hands(model, worksite, payload) if graspable else {}
-    for seat in worksite.seats:
-        if seat.lacks(payload.probe, payload.trunnions):
+    for berth in worksite.berths:
+        if berth.lacks(payload.probe, payload.trunnions):
             continue
-        pose = seat.seated(payload.probe)
-        senseless = seat.name in used or seat.name == payload.start.seat
+        pose = berth.seated(payload.probe)
+        senseless = berth.name in used or berth.name == payload.start.seat
         if overlaps := "; ".join(_overlaps(parts_at(payload.solids, pose), around, model.units)):
-            yield Misfit(Problem(where, f"{payload.name} in the berth {seat.name!r}: {overlaps}"), senseless)
+            yield Misfit(Problem(where, f"{payload.name} in the berth {berth.name!r}: {overlaps}"), senseless)
         for prong_state, hand in hands_at_bar.items():
             for overlap in _overlaps(_moved(hand, pose), around, model.units):
-                text = f"the end effector, {prong_state}, at {payload.name} in the berth {seat.name!r}: {overlap}"
+                text = f"the end effector, {prong_state}, at {payload.name} in the berth {berth.name!r}: {overlap}"
                 yield Misfit(Problem(where, text), senseless)
 
 

@@ -22,7 +22,8 @@ from aftdeck.scenario.on_arm import arm_shapes
 from aftdeck.scenario.problems import Problems
 from aftdeck.scenario.schema import LightSpec
 from aftdeck.shapes import switches
-from aftdeck.worksite.model import Cargo, Worksite
+from aftdeck.worksite.model import Worksite
+from aftdeck.worksite.payload import Cargo
 
 Colour = Annotated[str, msgspec.Meta(pattern=r"^#[0-9a-f]{6}$")]
 Name = Annotated[str, msgspec.Meta(min_length=1, max_length=64)]

@@ -21,7 +21,8 @@ from aftdeck.scenario.target import RelativeTarget, Target
 from aftdeck.scenario.task_step import TaskStep
 from aftdeck.steering.mode import MODES, LawChoice
 from aftdeck.tuples import Joints
-from aftdeck.worksite.model import Cargo, OrbiterMotion, Worksite
+from aftdeck.worksite.model import OrbiterMotion, Worksite
+from aftdeck.worksite.payload import Cargo
 
 
 @dataclass(frozen=True, eq=False)

@@ -14,7 +14,8 @@ from aftdeck.scenario.problems import Problems
 from aftdeck.scenario.relative import at_cargo, at_seat, composed, in_frame, inverted, scene_in_l, takes
 from aftdeck.scenario.schema import PoseSpec
 from aftdeck.scenario.target import AtCargo, AtSeat, RelativeTarget, Target
-from aftdeck.worksite.model import Cargo, Worksite
+from aftdeck.worksite.model import Worksite
+from aftdeck.worksite.payload import Cargo
 
 
 class TargetReferences(NamedTuple):
@@ -58,7 +59,7 @@ def place(
     above, (x, y, z) = float(spec.above or 0.0), spec.offset or (0.0, 0.0, 0.0)
     offset = float(x), float(y), float(z)
     if spec.seat is not None:
-        seats = [seat.name for seat in references.worksite.seats]
+        seats = [seat.name for seat in references.worksite.berths]
         if spec.seat in seats:
             return AtSeat(spec.seat, above, offset)
         problems.add((*where, "seat"), f"no seat {spec.seat!r}: seats are {', '.join(seats) or 'none'}")
@@ -113,7 +114,7 @@ def at_the_start(
             problems.add(where, "a pose at a berth (`seat`) needs a held payload: give `grasped` too")
             return None
         index, pose_at_tip = held
-        seat = next(seat for seat in references.worksite.seats if seat.name == found.seat)
+        seat = next(seat for seat in references.worksite.berths if seat.name == found.seat)
         if lacking := seat.lacks(references.cargo[index].probe, references.cargo[index].trunnions):
             problems.add(
                 where,
@@ -135,7 +136,7 @@ def _in_frame(problems: Problems, spec: PoseSpec, references: TargetReferences, 
         return None
     found = in_frame(references.worksite, references.cargo, spec.frame, pose)
     if found is None:
-        names = [body.name for body in references.worksite.bodies] + [seat.name for seat in references.worksite.seats]
+        names = [body.name for body in references.worksite.bodies] + [seat.name for seat in references.worksite.berths]
         choices = ", ".join(dict.fromkeys([*FRAMES, *names, *(payload.name for payload in references.cargo)]))
         problems.add((*where, "frame"), f"no frame {spec.frame!r}: there are {choices}")
     return found

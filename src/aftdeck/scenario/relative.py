@@ -11,7 +11,9 @@ from aftdeck.arms.load import ArmModel
 from aftdeck.frames import IDENTITY, SCENE_FROM_PANEL_AXES, Mount, Pose, rotation_x
 from aftdeck.matrices import product
 from aftdeck.scenario.target import AtCargo, AtSeat, InFrame
-from aftdeck.worksite.model import Cargo, Seat, Worksite
+from aftdeck.worksite.berths.berth import Berth
+from aftdeck.worksite.model import Worksite
+from aftdeck.worksite.payload import Cargo
 
 _OVER_A_BAR = np.array([[0.0, 0.0, -1.0], [0.0, -1.0, 0.0], [-1.0, 0.0, 0.0]])
 """The tip's axes in a payload's axes when the end effector points down at the payload's bar, with the fixed finger to
@@ -57,18 +59,19 @@ def at_cargo(model: ArmModel, cargo: Cargo, place: AtCargo) -> Pose:
     )
 
 
-def at_seat(seat: Seat, cargo: Cargo, place: AtSeat) -> Pose:
-    """Return a payload's pose in `seat.frame`: the seated pose, displaced by `above` and `offset` of `place`."""
-    seated, turn = seat.seated(cargo.probe), seat.pose.rotation
-    out = turn[:, 0] if seat.kind == "port" else turn[:, 2]
-    return Pose(seated.position + place.above * out + product(turn, np.array(place.offset)), seated.rotation)
+def at_seat(berth: Berth, cargo: Cargo, place: AtSeat) -> Pose:
+    """Return a payload's pose in `berth.frame`: the seated pose, displaced by `above` and `offset` of `place`."""
+    seated, turn = berth.seated(cargo.probe), berth.pose.rotation
+    return Pose(
+        seated.position + place.above * turn[:, berth.out] + product(turn, np.array(place.offset)), seated.rotation
+    )
 
 
 def in_frame(worksite: Worksite, cargo: tuple[Cargo, ...], name: str, pose: Pose) -> InFrame | None:
     """Return the target for a pose in the axes of the body, berth or payload `name`; None if none has this name."""
     carriers: dict[str, tuple[str, Pose]] = {body.name: (body.fixed_to, body.pose) for body in worksite.bodies}
     carriers |= {payload.name: (payload.name, IDENTITY) for payload in cargo}
-    carriers |= {seat.name: (seat.frame, seat.pose) for seat in worksite.seats}
+    carriers |= {berth.name: (berth.frame, berth.pose) for berth in worksite.berths}
     if name not in carriers:
         return None
     frame, pose_in_carrier = carriers[name]

@@ -85,7 +85,7 @@ def _check_state(
         problems.add(where, "a step with a joint has only within_angle, not within or above")
     if references.worksite is None or state.berth is None:
         return
-    seats = [seat.name for seat in references.worksite.seats]
+    seats = [seat.name for seat in references.worksite.berths]
     if state.berth not in seats:
         problems.add((*where, "berth"), f"no berth {state.berth!r}: berths are {', '.join(seats) or 'none'}")
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from aftdeck.scenario.model import Scenario
 from aftdeck.scenario.on_arm import arm_shapes
-from aftdeck.worksite.model import Body
+from aftdeck.worksite.body import Body
 
 PAYLOAD = "payload"
 """Name of the body of the scenario's own payload."""

@@ -30,8 +30,8 @@ from aftdeck.simulation.payloads.task_phases import change_task
 from aftdeck.simulation.state import State, new_state
 from aftdeck.steering.layout import KEPT, MASTER, RATES, TWIST
 from aftdeck.steering.mode import MODES
+from aftdeck.worksite.berths.latches import SHUT
 from aftdeck.worksite.conditions import failure_text, quantity_text
-from aftdeck.worksite.seats.latches import Latches
 
 
 def initial_state(flight: Flight, start: Start | None = None) -> State:
@@ -133,7 +133,7 @@ def _set_to_start(flight: Flight, state: State, start: Start) -> None:
         pose = np.empty(POSE)
         compose(site.scene, site.starts[k], pose)
         if payload.start.seat:
-            worksite.cargo[k].seat, worksite.cargo[k].latches = payload.start.seat, Latches(1.0, 1.0)
+            worksite.cargo[k].seat, worksite.cargo[k].latches = payload.start.seat, SHUT
             worksite.cargo[k].offset_at_fixing = worksite.cargo[k].offset_in_seat = list(HERE)
         else:
             velocity = product(site.scene[3:].reshape(3, 3), payload.start.velocity)

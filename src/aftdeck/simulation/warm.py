@@ -71,11 +71,11 @@ def _carry(flight: Flight, state: State) -> None:
     worksite.watch.update(worksite.frames, worksite.frames, flight.scenario.control_period)
     state.steering[TWIST : TWIST + 6] = FAR  # the payload could then reach every wall in the next step
     slide_along(flight, state, 0.0, 0)
-    for berth in site.berths[0]:
-        conditions_at(site, worksite, 0, berth)
-        berth.on_way(worksite.frames, site.cargo_row(0))
-        if berth.port is not None:
-            berth.is_straight_ahead(worksite.frames, site.cargo_row(0), 0.0, NEAR, 0.0)
+    for fit in site.fits[0]:
+        conditions_at(site, worksite, 0, fit)
+        fit.on_way(worksite.frames, site.cargo_row(0))
+        if fit.relation is not None:
+            fit.is_aligned(worksite.frames, site.cargo_row(0), 0.0, NEAR, 0.0)
     counts = site.detrimental.copy()
     worksite.watch.except_far(site.detrimental, np.zeros(len(counts)), counts)
     empty_grasp(site, worksite, state.panel, log, 0)

@@ -51,7 +51,7 @@ class TaskPairs:
             case AtCargo(cargo=k) if held is None:
                 return self._arm, self._cargo[k]
             case AtSeat(seat=name) if held is not None:
-                carrier = self._aims.places.seats[name].frame
+                carrier = self._aims.places.berths[name].frame
                 fixed = (solid.part for solid in self._worksite.solids if solid.frame == carrier)
                 return self._cargo[held], frozenset(fixed)
             case _:

@@ -14,7 +14,7 @@ from aftdeck.scenario.relative import at_cargo, at_seat, composed, inverted, sce
 from aftdeck.scenario.target import AtCargo, AtSeat, InFrame, RelativeTarget, Target
 from aftdeck.simulation.frame import Frame
 from aftdeck.tuples import Rows, Vec3
-from aftdeck.worksite.model import Seat
+from aftdeck.worksite.berths.berth import Berth
 
 
 class Places:
@@ -27,7 +27,7 @@ class Places:
     def __init__(self, scenario: Scenario) -> None:
         self._model, self._cargo = scenario.arm.model, scenario.cargo
         self._index = {cargo.name: k for k, cargo in enumerate(scenario.cargo)}
-        self.seats = {seat.name: seat for seat in scenario.worksite.seats}
+        self.berths = {berth.name: berth for berth in scenario.worksite.berths}
         self._scene = scene_in_l(scenario.arm.model.mount, scenario.worksite.origin)
 
     def tip(self, frame: Frame) -> Pose:
@@ -96,9 +96,8 @@ class Places:
                 pose = composed(self.payload(frame, k), at_cargo(self._model, self._cargo[k], target))
                 return -pose.rotation[:, 0]
             case AtSeat():
-                seat = self.seats[target.seat]
-                turn = product(self.carrier(frame, seat.frame).rotation, seat.pose.rotation)
-                return turn[:, 0] if seat.kind == "port" else turn[:, 2]
+                berth = self.berths[target.seat]
+                return product(self.carrier(frame, berth.frame).rotation, berth.pose.rotation)[:, berth.out]
             case _:
                 return None
 
@@ -108,14 +107,14 @@ class Places:
         able = (k for k, cargo in enumerate(self._cargo) if takes(self._model, cargo))
         return min(able, key=lambda k: self._away(frame, AtCargo(k), tip), default=None)
 
-    def berth(self, frame: Frame, k: int) -> Seat | None:
+    def berth(self, frame: Frame, k: int) -> Berth | None:
         """Return the nearest berth that accepts payload k; None if there is none."""
         cargo = self._cargo[k]
-        fitting = [seat for seat in self.seats.values() if not seat.lacks(cargo.probe, cargo.trunnions)]
+        fitting = [berth for berth in self.berths.values() if not berth.lacks(cargo.probe, cargo.trunnions)]
         here = self.payload(frame, k).position
         return min(
             fitting,
-            key=lambda seat: math.dist(self._seated(frame, AtSeat(seat.name), k).position, here),
+            key=lambda berth: math.dist(self._seated(frame, AtSeat(berth.name), k).position, here),
             default=None,
         )
 
@@ -125,8 +124,8 @@ class Places:
         return math.dist(pose.position, tip)
 
     def _seated(self, frame: Frame, target: AtSeat, k: int) -> Pose:
-        seat = self.seats[target.seat]
-        return composed(self.carrier(frame, seat.frame), at_seat(seat, self._cargo[k], target))
+        berth = self.berths[target.seat]
+        return composed(self.carrier(frame, berth.frame), at_seat(berth, self._cargo[k], target))
 
 
 def _pose(position: Vec3, orientation: Rows) -> Pose:

@@ -87,10 +87,9 @@ class Aims:
             return None
         match target:
             case AtSeat(seat=name, above=above):
-                seat = self.places.seats[name]
-                away = "before" if seat.kind == "port" else "above"
-                to = f"{away} {seat.title}" if above > _AWAY_M else seat.title
-                left = self._to(frame, to, pose, self._near(step, (seat.distance, seat.angle)))
+                berth = self.places.berths[name]
+                to = f"{berth.away} {berth.title}" if above > _AWAY_M else berth.title
+                left = self._to(frame, to, pose, self._near(step, (berth.distance, berth.angle)))
                 return left if above > _AWAY_M else _ready(left, frame)
             case AtCargo(above=above):
                 to = f"above {self._fixture}" if above > _AWAY_M else self._fixture
@@ -113,8 +112,8 @@ class Aims:
         if (k := self.places.held(frame)) is None:
             k = self.places.fixture(frame)
             return None if k is None else AtCargo(k)
-        seat = None if frame.work.objective is None else self.places.berth(frame, k)
-        return None if seat is None else AtSeat(seat.name)
+        berth = None if frame.work.objective is None else self.places.berth(frame, k)
+        return None if berth is None else AtSeat(berth.name)
 
     def _to(self, frame: Frame, to: str, pose: Pose, near: tuple[float, float]) -> Remaining:
         at, tip = target_at(pose), self.places.tip(frame)

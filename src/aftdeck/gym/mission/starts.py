@@ -74,7 +74,7 @@ class Starts:
             case AtCargo(cargo=k):
                 return AtCargo(k, away, (a, b, 0.0))
             case AtSeat(seat=name):
-                port = self._places.seats[name].kind == "port"
-                return AtSeat(name, away, (0.0, a, b) if port else (a, b, 0.0))
+                out = self._places.berths[name].out
+                return AtSeat(name, away, (0.0, a, b) if out == 0 else (a, b, 0.0))
             case _:
                 raise AssertionError("`step_of` chooses steps with a target at a payload or a berth")

@@ -13,8 +13,8 @@ from aftdeck.bodies.pose import row_of
 from aftdeck.worksite.capture.acquisition import MEASURED, Tolerances, acquire
 from aftdeck.worksite.capture.grapple import CaptureEnvelope
 from aftdeck.worksite.capture.snare import SnareTimes
-from aftdeck.worksite.file.cargo import part_of
-from aftdeck.worksite.model import BarAcquisition, Cargo, SnareCapture, Worksite
+from aftdeck.worksite.model import BarAcquisition, SnareCapture, Worksite
+from aftdeck.worksite.payload import Cargo, part_of
 
 HEXES = ("palm", "fixed finger", "prong")
 """Parts of the concept arm's end effector: HEX 1 to 3."""

@@ -19,10 +19,11 @@ from aftdeck.scenario import relative
 from aftdeck.scenario.model import Scenario
 from aftdeck.scenario.on_arm import arm_solids
 from aftdeck.scenario.payload import PART
-from aftdeck.simulation.constants.berths import Berth, berth_of
 from aftdeck.simulation.constants.hand import Bar, Snares, bar_of, snares_of
-from aftdeck.worksite.file.cargo import part_of
-from aftdeck.worksite.model import ALIGNED, Cargo, Relation, Seat, Worksite
+from aftdeck.worksite.berths.berth import Berth, Fit
+from aftdeck.worksite.model import Worksite
+from aftdeck.worksite.payload import Cargo, part_of
+from aftdeck.worksite.relation import ALIGNED, Meeting
 from aftdeck.worksite.watch.groups import CENTRE, Layout, PartPair, layout_of
 from aftdeck.worksite.watch.pairs import among, part_pairs
 
@@ -32,25 +33,6 @@ payloads' frames."""
 SHORT = 1.0
 """Length below which a link between two joints counts as short [m]. The parts at the two ends of a short link are
 longer than the link (assumed). `_stationary_parts` uses the same length."""
-
-
-@dataclass(frozen=True, eq=False)
-class Meeting:
-    """Monitored pair of two parts that the task brings into contact.
-
-    Attributes:
-        group: index of the pair in the layout.
-        cargo: index of the payload to which one of the parts belongs.
-        relation: name of the relative position in which the two parts may touch.
-        depth: permitted penetration depth, and permitted distance past the plane of contact, such as a port's face [m].
-        trunnions: (m,) index of the trunnion that belongs to each pair of solids; (0,) if the relation is not "guides".
-    """
-
-    group: int
-    cargo: int
-    relation: Relation
-    depth: float
-    trunnions: Indices
 
 
 @dataclass(frozen=True, eq=False)
@@ -86,7 +68,7 @@ class Site:
         snares: constants of capture with the snares; None if the worksite has no rules for snares.
         detrimental: (g,) 1 for pairs that are not essential.
         axes: (3, 3) the orbiter's axes (forward, starboard, down) in L.
-        berths: for each payload, the constants of the berths that accept the payload.
+        fits: for each payload, its constants in each berth that accepts it.
         berth_rows: for each payload, (n,) rows of the frames to which its berths are fixed.
         berth_places: for each payload, (n, 12) poses of the payload in its berths, in the frames of `berth_rows`.
         starts: for each payload, (12,) its pose in the scene at the start.
@@ -119,7 +101,7 @@ class Site:
     snares: Snares | None
     detrimental: Mask
     axes: Array
-    berths: tuple[tuple[Berth, ...], ...]
+    fits: tuple[tuple[Fit, ...], ...]
     berth_rows: tuple[Indices, ...]
     berth_places: tuple[Array, ...]
     starts: tuple[Array, ...]
@@ -150,21 +132,17 @@ class Site:
         """Return the row of a payload's frame."""
         return self.space_row + 1 + index
 
-    def seat(self, name: str) -> Seat:
+    def berth(self, name: str) -> Berth:
         """Return the berth with this name."""
-        return next(seat for seat in self.worksite.seats if seat.name == name)
+        return next(berth for berth in self.worksite.berths if berth.name == name)
 
-    def berth(self, k: int, name: str) -> Berth | None:
+    def fit(self, k: int, name: str) -> Fit | None:
         """Return the constants of payload k in the berth with this name; None if the berth does not accept it."""
-        return next((berth for berth in self.berths[k] if berth.seat.name == name), None)
+        return next((fit for fit in self.fits[k] if fit.berth.name == name), None)
 
     def in_space(self, name: str) -> bool:
         """Return whether a berth is fixed in the frame ``space``, which does not move with the orbiter."""
-        return self.seat(name).frame == "space"
-
-    def is_passive_berth(self, name: str) -> bool:
-        """Return whether this berth fixes a payload upon release by the end effector, and frees it upon capture."""
-        return any(berth.is_passive for own in self.berths for berth in own if berth.seat.name == name)
+        return self.berth(name).frame == "space"
 
 
 @lru_cache(maxsize=8)
@@ -193,11 +171,11 @@ def site_of(scenario: Scenario) -> Site:
     of_cargo = tuple(layout.carried([payload.name]) for payload in cargo)
     with_hand = tuple(layout.between(hand, own_parts) for own_parts in parts)
     walls = [solid.part for solid in worksite.solids if solid.frame == "orbiter"]
-    berths = tuple(
+    fits = tuple(
         tuple(
-            berth_of(seat, ORBITER if seat.frame == "orbiter" else 1 + len(arm.names), payload, scenario.docking_axes)
-            for seat in worksite.seats
-            if not seat.lacks(payload.probe, payload.trunnions)
+            berth.fit(payload, ORBITER if berth.frame == "orbiter" else 1 + len(arm.names), scenario.docking_axes)
+            for berth in worksite.berths
+            if not berth.lacks(payload.probe, payload.trunnions)
         )
         for payload in cargo
     )
@@ -216,9 +194,9 @@ def site_of(scenario: Scenario) -> Site:
         held=with_hand,
         not_held=tuple(1 - pairs for pairs in with_hand),
         seated={
-            (k, seat.name): layout.between(own_parts, _parts_of(worksite, seat))
+            (k, berth.name): layout.between(own_parts, _parts_of(worksite, berth))
             for k, own_parts in enumerate(parts)
-            for seat in worksite.seats
+            for berth in worksite.berths
         },
         scene=scene_in_l(scenario),
         hand=row_of(Pose(model.linkage.tip, np.eye(3))),
@@ -228,9 +206,9 @@ def site_of(scenario: Scenario) -> Site:
         snares=snares_of(worksite, cargo),
         detrimental=1 - essential,
         axes=model.mount.rotation.T.copy(),
-        berths=berths,
-        berth_rows=tuple(np.array([berth.row for berth in own], dtype=np.int64) for own in berths),
-        berth_places=tuple(np.array([berth.place for berth in own]).reshape(-1, POSE) for own in berths),
+        fits=fits,
+        berth_rows=tuple(np.array([fit.row for fit in own], dtype=np.int64) for own in fits),
+        berth_places=tuple(np.array([fit.place for fit in own]).reshape(-1, POSE) for own in fits),
         starts=tuple(row_of(payload.start.pose) for payload in cargo),
         slides=tuple(layout.between(own_parts, walls) for own_parts in parts),
         bodies=tuple(np.flatnonzero(layout.frame == frames.index(one.name)).astype(np.int64) for one in cargo),
@@ -249,9 +227,10 @@ def _meetings(worksite: Worksite, layout: Layout, cargo: tuple[Cargo, ...]) -> t
             if payload.name in frames:
                 own = _trunnions(layout, payload) if essential.relation == "guides" else {}
                 for group in np.flatnonzero(among(layout, [essential.parts])).tolist():
-                    pairs = layout.pairs[layout.begins[group] : layout.begins[group + 1]].tolist() if own else ()
-                    trunnions = np.array([own[i if i in own else j] for i, j in pairs], dtype=np.int64)
-                    found.append(Meeting(group, k, essential.relation, essential.depth, trunnions))
+                    pairs = layout.pairs[layout.begins[group] : layout.begins[group + 1]]
+                    held = [own[i if i in own else j] for i, j in pairs.tolist()] if own else []
+                    trunnions = np.array(held, dtype=np.int64)
+                    found.append(Meeting(group, k, essential.relation, essential.depth, pairs, trunnions))
     return tuple(found)
 
 
@@ -335,6 +314,6 @@ def scene_in_l(scenario: Scenario) -> Array:
     return row_of(relative.scene_in_l(scenario.arm.model.mount, scenario.worksite.origin))
 
 
-def _parts_of(worksite: Worksite, seat: Seat) -> set[str]:
+def _parts_of(worksite: Worksite, berth: Berth) -> set[str]:
     """Return the worksite's parts that are fixed to the same frame as a berth."""
-    return {solid.part for solid in worksite.solids if solid.frame == seat.frame}
+    return {solid.part for solid in worksite.solids if solid.frame == berth.frame}

@@ -24,4 +24,4 @@ def fixed_in(site: Site, worksite: WorksiteState) -> str:
     """Return a text with the names of the held payload and its berth; "" if no held payload is fixed to a berth."""
     if worksite.held is None or not worksite.arm_fixed:
         return ""
-    return f"{site.cargo[worksite.held].title} is fixed in the {site.seat(worksite.cargo[worksite.held].seat).title}"
+    return f"{site.cargo[worksite.held].title} is fixed in the {site.berth(worksite.cargo[worksite.held].seat).title}"

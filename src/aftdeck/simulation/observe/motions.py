@@ -29,12 +29,13 @@ def motions_of(flight: Flight, worksite: WorksiteState, stand: Slide) -> tuple[M
     Latches and carriage that wait, because further motion would make a contact, are left out.
     """
     found: list[Motion] = []
-    for k, payload in enumerate(worksite.cargo):
+    for payload in worksite.cargo:
         if payload.latches.motion and not worksite.waiting:
-            seat = next(berth.seat for berth in flight.site.berths[k] if berth.seat.name == payload.seat)
             closes = payload.latches.motion == "latch"
             left = 1.0 - payload.latches.closed if closes else payload.latches.closed
-            found.append(Motion("latches close" if closes else "latches open", left * seat.time))
+            found.append(
+                Motion("latches close" if closes else "latches open", left * flight.site.berth(payload.seat).time)
+            )
     snares = flight.site.snares
     if snares is not None and not worksite.waiting and (worksite.snare.motion or worksite.rigid != "off"):
         stage = next_stage(worksite.snare, snare_command(worksite, pressed=False))

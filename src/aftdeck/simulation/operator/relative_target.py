@@ -40,10 +40,10 @@ def _at_seat(site: Site, worksite: WorksiteState, target: AtSeat) -> Target | st
     k = worksite.held
     if k is None:
         return "the grasp is empty: there is no payload to move to a berth"
-    berth = site.berth(k, target.seat)
-    if berth is None:
-        return f"the {site.seat(target.seat).title} does not accept {site.cargo[k].title}"
-    seated = _composed(worksite.frames[berth.row], row_of(at_seat(berth.seat, site.cargo[k], target)))
+    fit = site.fit(k, target.seat)
+    if fit is None:
+        return f"the {site.berth(target.seat).title} does not accept {site.cargo[k].title}"
+    seated = _composed(worksite.frames[fit.row], row_of(at_seat(fit.berth, site.cargo[k], target)))
     joint = _composed(seated, inverse(pose_in_hand(site, worksite.frames, k)))
     return target_at(pose_of(_composed(joint, site.hand)))
 

@@ -15,8 +15,8 @@ from aftdeck.simulation.constants.site import Site
 from aftdeck.simulation.frame import WayOut
 from aftdeck.simulation.parts.free_flight import Floating
 from aftdeck.state_part import StatePart
+from aftdeck.worksite.berths.latches import Latches
 from aftdeck.worksite.capture.snare import Snare
-from aftdeck.worksite.seats.latches import Latches
 from aftdeck.worksite.watch.clearance_monitor import ClearanceMonitor
 from aftdeck.worksite.watch.contacts import Contacts
 
@@ -185,9 +185,9 @@ class WorksiteState(StatePart):
         held. A floating payload has no carrier.
         """
         payload = self.cargo[k]
-        if (berth := site.berth(k, payload.seat)) is not None:
-            self.carrier[k] = berth.row
-            compose(berth.place, np.array(payload.offset_in_seat), self.poses_in_carrier[k])
+        if (fit := site.fit(k, payload.seat)) is not None:
+            self.carrier[k] = fit.row
+            compose(fit.place, np.array(payload.offset_in_seat), self.poses_in_carrier[k])
         elif payload.grasp is not None:
             self.carrier[k], self.poses_in_carrier[k] = site.last_joint, payload.grasp
         elif (flight := self.floating[k]) is not None:

@@ -23,14 +23,12 @@ from aftdeck.bodies.pose import HERE
 from aftdeck.frames import oriend_rows
 from aftdeck.law import law
 from aftdeck.matrices import length, product
-from aftdeck.simulation.constants.berths import Berth
 from aftdeck.simulation.constants.hand import Snares
-from aftdeck.simulation.constants.site import Meeting, Site
+from aftdeck.simulation.constants.site import Site
 from aftdeck.simulation.parts.worksite_state import WorksiteState
 from aftdeck.simulation.payloads.grasp import NEAR, fixture_in_hand
 from aftdeck.worksite.capture.acquisition import enclosed_bar
-from aftdeck.worksite.model import Relation
-from aftdeck.worksite.seats.berthing import over
+from aftdeck.worksite.relation import Meeting, Relation
 from aftdeck.worksite.watch.clearance_monitor import ClearanceMonitor
 from aftdeck.worksite.watch.contact_update import nearest_place
 from aftdeck.worksite.watch.contacts import FRAMES, Contacts
@@ -127,10 +125,10 @@ def _except_berth(site: Site, k: int, watch: ClearanceMonitor, frames: Array, ne
     number = nearest_place(frames, row, site.berth_rows[k], site.berth_places[k], NEAR)
     if number < 0:
         return
-    berth = site.berths[k][number]
-    pairs = site.seated[k, berth.seat.name]
+    fit = site.fits[k][number]
+    pairs = site.seated[k, fit.berth.name]
     factor = INNER if nearest >= 0 and pairs[nearest] else 1.0
-    along, aside, tilt = berth.on_way(frames, row)
+    along, aside, tilt = fit.on_way(frames, row)
     if aside > factor * ASIDE or tilt > factor * TILTED:
         return
     before = min(max(0, int(along / STEP)), int(NEAR / STEP))
@@ -143,7 +141,7 @@ def least_on_way(site: Site, k: int, number: int) -> Array:
 
     Row i is for a payload between `i * STEP` and the next step before its final position.
     """
-    on_way, tolerance = clearances_on_way(site, k, number), site.berths[k][number].seat.distance
+    on_way, tolerance = clearances_on_way(site, k, number), site.fits[k][number].berth.distance
     nearest = np.minimum(on_way[:-1], on_way[1:])
     return np.asarray(np.maximum(np.maximum(nearest - tolerance, 0.5 * nearest), CONTACT))
 
@@ -154,15 +152,15 @@ def clearances_on_way(site: Site, k: int, number: int) -> Array:
     Row i is for a payload with its attitude in the berth, `i * STEP` before its final position. Pairs of other parts
     have the clearance inf.
     """
-    berth = site.berths[k][number]
+    fit = site.fits[k][number]
     frames, row = np.tile(HERE, (len(site.layout.frames), 1)), site.cargo_row(k)
-    frames[row] = berth.place
-    step = STEP * product(berth.place[3:].reshape(3, 3), berth.way_out)
+    frames[row] = fit.place
+    step = STEP * product(fit.place[3:].reshape(3, 3), fit.way_out)
     watch = ClearanceMonitor(site.layout)
-    watch.active = site.seated[k, berth.seat.name].copy()
+    watch.active = site.seated[k, fit.berth.name].copy()
     found = np.empty((math.ceil(NEAR / STEP) + 2, len(watch.active)))
     for i in range(len(found)):
-        frames[row, :3] = berth.place[:3] + i * step
+        frames[row, :3] = fit.place[:3] + i * step
         watch.update(frames, frames, 1.0)
         found[i] = watch.found[:, CLEARANCE]
     return found
@@ -241,29 +239,12 @@ def _is_aligned(site: Site, frames: Array, meeting: Meeting, *, reported: bool) 
 
     `reported` is True if the pair with the last minimum clearance has the payload and the relation of `meeting`. If so,
     the parts count as aligned only if they are inside the tolerances by at least the permitted depth. This margin keeps
-    the lamp from flickering. Only the relations docking and guides are tested here; the end effector is tested in
-    `alarm_pairs`.
+    the lamp from flickering. Only relations of berths are tested here; the end effector is tested in `alarm_pairs`.
     """
     k, depth = meeting.cargo, meeting.depth
     inside = depth if reported else 0.0
-    match meeting.relation:
-        case "docking":
-            ports = (berth for berth in site.berths[k] if berth.port is not None)
-            return any(berth.is_straight_ahead(frames, site.cargo_row(k), depth, NEAR, inside) for berth in ports)
-        case "guides":
-            guided = (berth for berth in site.berths[k] if berth.guides is not None)
-            return any(_over_guides(site, frames, k, berth, depth, inside) for berth in guided)
-        case "acquisition" | "capture":
-            raise AssertionError(f"alignment does not apply to the relation {meeting.relation!r}")
-
-
-def _over_guides(site: Site, frames: Array, k: int, berth: Berth, depth: float, inside: float) -> bool:
-    """Return whether every trunnion is above or inside the mouth of its own V-guide."""
-    assert berth.guides is not None
-    guides = berth.guides
-    found = berth.trunnion_offsets(frames, site.cargo_row(k), site.cargo[k].trunnions)
-    least, most, room = over(found, guides.opening, guides.throat, guides.height, guides.play)
-    return least >= -depth and most <= NEAR and room >= inside
+    fits = (fit for fit in site.fits[k] if fit.relation == meeting.relation)
+    return any(fit.is_aligned(frames, site.cargo_row(k), depth, NEAR, inside) for fit in fits)
 
 
 def _before_snares(site: Site, snares: Snares, frames: Array, before: int | None) -> int | None:

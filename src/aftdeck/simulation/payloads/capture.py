@@ -19,11 +19,11 @@ from aftdeck.simulation.payloads.grasp import attach, empty_grasp, nearest_fixtu
 from aftdeck.simulation.payloads.mechanism import is_blocked
 from aftdeck.simulation.payloads.seating import stay_or_leave
 from aftdeck.simulation.state import State
+from aftdeck.worksite.berths.draw_in import remaining
 from aftdeck.worksite.capture.acquisition import acquired_bar
 from aftdeck.worksite.capture.grapple import in_envelope
 from aftdeck.worksite.capture.snare import Snare, SnareCommand, advance
 from aftdeck.worksite.conditions import Condition
-from aftdeck.worksite.seats.draw_in import remaining
 
 _TRIGGERS: dict[str, Literal["", "capture", "release"]] = {"close": "capture", "open": "release", "stop": ""}
 _CONTR: dict[str, Literal["RIGID", "OFF", "DERIGID"]] = {"rigid": "RIGID", "off": "OFF", "derigid": "DERIGID"}
@@ -56,7 +56,7 @@ def capture(flight: Flight, state: State, log: Log, inputs: Inputs) -> None:
         empty_grasp(site, worksite, state.panel, log, k)
         stay_or_leave(flight, worksite, state.plant, log, k)
         seat = worksite.cargo[k].seat
-        where = f"it stays in the {site.seat(seat).title}" if seat else "it is free"
+        where = f"it stays in the {site.berth(seat).title}" if seat else "it is free"
         log.add("released", "info", f"{site.cargo[k].title} released: {where}")
     update_steering(flight, state)
 
@@ -160,11 +160,11 @@ def _draw_in(flight: Flight, worksite: WorksiteState, log: Log, k: int, snare: S
 def _attach(site: Site, worksite: WorksiteState, log: Log, k: int) -> None:
     """Attach a captured payload to the arm. The capture ends task phase 1.
 
-    A passive berth frees the payload; any other berth still fixes the payload.
+    A berth that closes at release frees the payload; any other berth still fixes the payload.
     """
     payload = worksite.cargo[k]
-    if payload.seat and site.is_passive_berth(payload.seat):
+    if payload.seat and site.berth(payload.seat).closes == "at release":
         payload.seat, payload.released_from = "", payload.seat
     attach(site, worksite, k)
-    fixed = f", fixed in the {site.seat(payload.seat).title}" if payload.seat else ""
+    fixed = f", fixed in the {site.berth(payload.seat).title}" if payload.seat else ""
     log.add("acquired", "info", f"{site.cargo[k].title} acquired{fixed}")

@@ -22,7 +22,7 @@ from aftdeck.simulation.inputs import Inputs
 from aftdeck.simulation.log import Log
 from aftdeck.simulation.state import State
 from aftdeck.tuples import plain_vector
-from aftdeck.worksite.model import Cargo
+from aftdeck.worksite.payload import Cargo
 
 
 def check_disturbances(flight: Flight, state: State, given: Iterable[Disturbance]) -> None:

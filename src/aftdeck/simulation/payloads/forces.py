@@ -65,4 +65,4 @@ def _count_contacts(bodies: Bodies, logged: tuple[int, ...], period: float) -> N
 
 def _holder(site: Site, payload: PayloadState, holder: int) -> str:
     """Return the name of what holds a payload; `holder`: its index in the result of `held_by`."""
-    return "end effector" if holder == 0 else site.seat(payload.seat).title
+    return "end effector" if holder == 0 else site.berth(payload.seat).title

@@ -15,7 +15,7 @@ from aftdeck.simulation.constants.flight import Flight
 from aftdeck.simulation.parts.free_flight import Floating
 from aftdeck.simulation.parts.worksite_state import WorksiteState
 from aftdeck.tuples import Rows, Vec3
-from aftdeck.worksite.model import Cargo
+from aftdeck.worksite.payload import Cargo
 
 BAND, RATE = slice(0, 3), slice(3, 6)
 """Parts of a packed limit cycle (`worksite.free_flight.LimitCycle`)."""

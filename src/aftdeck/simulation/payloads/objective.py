@@ -12,7 +12,7 @@ from aftdeck.simulation.payloads.seating import conditions_at
 from aftdeck.worksite.capture.acquisition import AWAY, acquisition
 from aftdeck.worksite.capture.grapple import in_envelope
 from aftdeck.worksite.conditions import Condition
-from aftdeck.worksite.model import Cargo
+from aftdeck.worksite.payload import Cargo
 from aftdeck.worksite.report import Objective
 
 Pursued = tuple[Objective | None, tuple[Condition, ...]]
@@ -24,11 +24,11 @@ def present_objective(site: Site, worksite: WorksiteState) -> Pursued:
     A berth that has just released the payload is no objective until the payload has left it.
     """
     if (k := worksite.held) is not None:
-        berth = None if worksite.arm_fixed else nearest_berth(site, worksite.frames, k)
-        if berth is None or worksite.cargo[k].released_from == berth.seat.name:
+        fit = None if worksite.arm_fixed else nearest_berth(site, worksite.frames, k)
+        if fit is None or worksite.cargo[k].released_from == fit.berth.name:
             return None, ()
-        text = f"{berth.verb} in the {berth.seat.title}"
-        return Objective(berth.verb, text), conditions_at(site, worksite, k, berth)
+        text = f"{fit.berth.verb} in the {fit.berth.title}"
+        return Objective(fit.berth.verb, text), conditions_at(site, worksite, k, fit)
     if site.bar is not None:
         return _acquisition(site.cargo, worksite.watch.placed, site.bar)
     if site.snares is not None and (near := nearest_fixture(site, worksite.frames)) is not None:

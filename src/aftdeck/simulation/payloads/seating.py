@@ -1,4 +1,4 @@
-"""Fixing and release of payloads by berths: docking at a port, latching in the bay, and passive berths.
+"""Fixing and release of payloads by berths. `Berth.closes` and `Berth.instant` tell when a berth does so.
 
 Source: Remote Manipulator Simulation, mode 3 (docking), and section VII: a payload that is inserted and released stays
 where it is. A payload that is both held and fixed to a berth blocks the arm until the end effector or the berth
@@ -15,7 +15,6 @@ from aftdeck.arrays import Array
 from aftdeck.bodies.pose import POSE, compose
 from aftdeck.matrices import length
 from aftdeck.plant.state import PlantState
-from aftdeck.simulation.constants.berths import Berth
 from aftdeck.simulation.constants.flight import Flight
 from aftdeck.simulation.constants.site import Site
 from aftdeck.simulation.log import Log
@@ -24,15 +23,14 @@ from aftdeck.simulation.payloads.grasp import reset_grasp, start_free_flight, up
 from aftdeck.simulation.payloads.latch_command import NEAR, Pressed, addressed, confirmed, nearest_berth
 from aftdeck.simulation.payloads.mechanism import is_blocked
 from aftdeck.simulation.state import State
+from aftdeck.worksite.berths.berth import Fit
+from aftdeck.worksite.berths.draw_in import remaining
+from aftdeck.worksite.berths.latches import OPEN, SHUT, Latches, advance
 from aftdeck.worksite.conditions import Condition, Units, all_hold, failure_text, quantity_text
-from aftdeck.worksite.seats.berthing import in_guides, ready_to_latch, retained
-from aftdeck.worksite.seats.docking import DISTANCE, FOUND, approach, docking
-from aftdeck.worksite.seats.draw_in import remaining
-from aftdeck.worksite.seats.latches import Latches, advance
 
 
 def seat(flight: Flight, state: State, log: Log, pressed: Pressed | None) -> None:
-    """Fix payloads to ports, move latches, and execute LATCH or UNLATCH (`pressed`; None if neither is pressed)."""
+    """Fix payloads to berths that close by themselves, move latches, and execute LATCH or UNLATCH (`pressed`)."""
     site, worksite = flight.site, state.worksite
     index = addressed(site, worksite, pressed)
     answer: str | None = None
@@ -61,9 +59,9 @@ def _nearest_seat_text(site: Site, worksite: WorksiteState, units: Units) -> str
     The text names the unfixed payload that is nearest to its pose in a berth, and its distance from this pose.
     """
     distances = [
-        (length(berth.offset(worksite.frames, site.cargo_row(k))[:3].tolist()), k, berth.seat.title)
-        for k, own in enumerate(site.berths)
-        for berth in own
+        (length(fit.offset(worksite.frames, site.cargo_row(k))[:3].tolist()), k, fit.berth.title)
+        for k, own in enumerate(site.fits)
+        for fit in own
         if not worksite.cargo[k].seat
     ]
     if not distances:
@@ -74,15 +72,15 @@ def _nearest_seat_text(site: Site, worksite: WorksiteState, units: Units) -> str
 
 
 def stay_or_leave(flight: Flight, worksite: WorksiteState, plant: PlantState, log: Log, k: int) -> None:
-    """Fix a payload to a passive berth after its release, or start its free flight.
+    """Fix a payload after its release to a berth that closes then, or start its free flight.
 
-    The payload is fixed if the conditions of a passive berth hold. A payload that is already fixed stays fixed.
+    The payload is fixed if the conditions of such a berth hold. A payload that is already fixed stays fixed.
     """
     if worksite.cargo[k].seat:
         return
-    for berth in flight.site.berths[k]:
-        if berth.is_passive and all_hold(conditions_at(flight.site, worksite, k, berth)):
-            _fix(flight.site, worksite, log, k, berth, Latches(1.0, 1.0))
+    for fit in flight.site.fits[k]:
+        if fit.berth.closes == "at release" and all_hold(conditions_at(flight.site, worksite, k, fit)):
+            _fix(flight.site, worksite, log, k, fit, SHUT)
             return
     start_free_flight(flight, worksite, plant, k, from_space=False)
 
@@ -90,47 +88,46 @@ def stay_or_leave(flight: Flight, worksite: WorksiteState, plant: PlantState, lo
 def _update_unfixed(flight: Flight, worksite: WorksiteState, log: Log, k: int, pressed: Pressed | None) -> str | None:
     """Fix a payload to the nearest berth if the conditions of this berth hold.
 
-    A docking port fixes a held payload without a command, and a floating payload on LATCH.
+    A berth that closes by itself fixes a held payload without a command, and a floating payload on LATCH.
 
     Returns:
         Answer to `pressed` for this payload: "" if the command was executed, or if the log already contains the answer;
         the reason if LATCH was rejected; None if LATCH was not pressed for this payload, or if no berth is near.
     """
     site, payload = flight.site, worksite.cargo[k]
-    berth = nearest_berth(site, worksite.frames, k)
-    if berth is None:
+    fit = nearest_berth(site, worksite.frames, k)
+    if fit is None:
         payload.released_from = ""
         return None
-    if not (berth.latches_automatically or pressed == "latch" or payload.released_from):
+    berth, row = fit.berth, site.cargo_row(k)
+    by_itself = berth.closes == "by itself"
+    if not (by_itself or pressed == "latch" or payload.released_from):
         return None
-    if pressed is None and _beyond(site, worksite.frames, k, berth):
+    if pressed is None and fit.has_left(worksite.frames, row):
         payload.released_from = ""
         return None
-    conditions, units = conditions_at(site, worksite, k, berth), flight.scenario.arm.model.units
+    conditions, units = conditions_at(site, worksite, k, fit), flight.scenario.arm.model.units
     holds = all_hold(conditions)
-    if payload.released_from and not (holds and payload.released_from == berth.seat.name):
+    if payload.released_from and not (holds and payload.released_from == berth.name):
         payload.released_from = ""
-    if berth.latches_automatically:
-        if holds and (pressed == "latch" or not payload.released_from):
-            payload.released_from = ""
-            _fix(site, worksite, log, k, berth, Latches(1.0, 1.0))
-            return ""
-        return failure_text(conditions, units) if pressed == "latch" else None
-    if pressed != "latch":
+    if pressed != "latch" and not (by_itself and holds and not payload.released_from):
         return None
-    if berth.is_passive and payload.held:
-        return failure_text(conditions, units) or f"the {berth.seat.title} fixes the payload on RELEASE"
-    if berth.is_passive:
+    if berth.closes == "at release" and payload.held:
+        return failure_text(conditions, units) or f"the {berth.title} fixes the payload on RELEASE"
+    if by_itself and holds:
+        payload.released_from = ""
+    if berth.instant:
         if holds:
-            _fix(site, worksite, log, k, berth, Latches(1.0, 1.0))
-            log.add("latched", "info", f"{site.cargo[k].title} stays in the {berth.seat.title}")
+            _fix(site, worksite, log, k, fit, SHUT)
+            if not berth.docks:
+                log.add("latched", "info", f"{site.cargo[k].title} stays in the {berth.title}")
         return failure_text(conditions, units)
-    latches, lines = advance(Latches(), berth.seat.time, "latch", flight.scenario.control_period, conditions, units)
+    latches, lines = advance(OPEN, berth.time, "latch", flight.scenario.control_period, conditions, units)
     for line in lines:
         log.add(line.kind, line.level, line.text)
     if latches.hold:
-        log.add("latch", "info", f"latches of the {berth.seat.title} closing")
-        _fix(site, worksite, log, k, berth, latches)
+        log.add("latch", "info", f"latches of the {berth.title} closing")
+        _fix(site, worksite, log, k, fit, latches)
     return ""
 
 
@@ -142,19 +139,19 @@ def _update_fixed(flight: Flight, state: State, log: Log, k: int, pressed: Press
     """
     site, worksite, period = flight.site, state.worksite, flight.scenario.control_period
     payload, title = worksite.cargo[k], site.cargo[k].title
-    berth = site.berth(k, payload.seat)
-    assert berth is not None, "a fixed payload has a berth"
+    fit = site.fit(k, payload.seat)
+    assert fit is not None, "a fixed payload has a berth"
+    berth = fit.berth
     if pressed == "latch":
         payload.unlatch_asked_at = 0
-    if berth.is_passive:
-        where = f"{title} is in the {berth.seat.title}"
-        return f"{where}, which frees it at capture" if pressed else None
-    only = f"nothing but the {berth.seat.title} holds {title}"
-    if berth.latches_automatically:
+    if berth.closes == "at release":
+        return f"{title} is in the {berth.title}, which frees it at capture" if pressed else None
+    only = f"nothing but the {berth.title} holds {title}"
+    if berth.instant:
         if pressed != "unlatch":
-            return f"{title} is docked already" if pressed else None
+            return f"{title} is {'docked' if berth.docks else 'latched'} already" if pressed else None
         if confirmed(payload, state.tick, period, log, only):
-            _unfix(flight, worksite, state.plant, log, k, berth)
+            _unfix(flight, worksite, state.plant, log, k, fit)
             update_steering(flight, state)
         return ""
     before = payload.latches
@@ -162,13 +159,13 @@ def _update_fixed(flight: Flight, state: State, log: Log, k: int, pressed: Press
     command: Pressed | Literal[""] = pressed or ""
     if opens and not confirmed(payload, state.tick, period, log, only):
         command = ""
-    after, lines = advance(before, berth.seat.time, command, period, (), flight.scenario.arm.model.units)
+    after, lines = advance(before, berth.time, command, period, (), flight.scenario.arm.model.units)
     seated, blocked = payload.offset_in_seat, False
     if after.drawn != before.drawn:
         left = np.empty(POSE)
         remaining(np.array(payload.offset_at_fixing), after.misaligned, left)
         seated = left.tolist()
-        pose = _seated_pose(worksite.frames, berth, left)
+        pose = _seated_pose(worksite.frames, fit, left)
         blocked = payload.held and is_blocked(flight, worksite, log, k, pose, "latches")
     for line in lines:
         if line.kind == "refused" or not blocked:
@@ -178,91 +175,56 @@ def _update_fixed(flight: Flight, state: State, log: Log, k: int, pressed: Press
         worksite.update_carrier(site, k)
     if payload.latches.motion not in ("", before.motion):
         motion = "closing" if payload.latches.motion == "latch" else "opening"
-        log.add(payload.latches.motion, "info", f"latches of the {berth.seat.title} {motion}")
+        log.add(payload.latches.motion, "info", f"latches of the {berth.title} {motion}")
     if not payload.latches.hold:
-        _unfix(flight, worksite, state.plant, log, k, berth)
+        _unfix(flight, worksite, state.plant, log, k, fit)
         update_steering(flight, state)
     return "" if pressed else None
 
 
-def _fix(site: Site, worksite: WorksiteState, log: Log, k: int, berth: Berth, latches: Latches) -> None:
+def _fix(site: Site, worksite: WorksiteState, log: Log, k: int, fit: Fit, latches: Latches) -> None:
     """Fix a payload to a berth in the payload's present pose; latches then draw it in from this pose."""
-    payload = worksite.cargo[k]
-    off = berth.offset(worksite.frames, site.cargo_row(k)).tolist()
-    payload.seat, payload.latches, payload.offset_at_fixing, payload.offset_in_seat = berth.seat.name, latches, off, off
+    payload, berth = worksite.cargo[k], fit.berth
+    off = fit.offset(worksite.frames, site.cargo_row(k)).tolist()
+    payload.seat, payload.latches, payload.offset_at_fixing, payload.offset_in_seat = berth.name, latches, off, off
     worksite.floating[k] = None
     worksite.update_attachments(site)
-    if berth.latches_automatically:
-        log.add("docked", "info", f"{site.cargo[k].title} docked at the {berth.seat.title}")
+    if berth.docks:
+        log.add("docked", "info", f"{site.cargo[k].title} docked at the {berth.title}")
 
 
-def _unfix(flight: Flight, worksite: WorksiteState, plant: PlantState, log: Log, k: int, berth: Berth) -> None:
+def _unfix(flight: Flight, worksite: WorksiteState, plant: PlantState, log: Log, k: int, fit: Fit) -> None:
     """Release a payload from its berth. If the end effector does not hold the payload, start its free flight."""
-    site, payload = flight.site, worksite.cargo[k]
-    payload.seat, payload.released_from = "", berth.seat.name
+    site, payload, berth = flight.site, worksite.cargo[k], fit.berth
+    payload.seat, payload.released_from = "", berth.name
     if payload.held:
         reset_grasp(site, worksite, k)
     else:
-        start_free_flight(flight, worksite, plant, k, from_space=berth.seat.frame == "space")
+        start_free_flight(flight, worksite, plant, k, from_space=berth.frame == "space")
     worksite.update_attachments(site)
-    what = "undocked from" if berth.latches_automatically else "released by"
-    text = f"{site.cargo[k].title} {what} the {berth.seat.title}"
+    what = "undocked from" if berth.docks else "released by"
+    text = f"{site.cargo[k].title} {what} the {berth.title}"
     if payload.held:
         log.add("unseated", "info", text)
     else:
         log.add("unseated", "caution", f"{text}: it floats free")
 
 
-def _seated_pose(frames: Array, berth: Berth, seated: Array) -> Array:
+def _seated_pose(frames: Array, fit: Fit, seated: Array) -> Array:
     """Return a payload's pose (12,) in L; `seated` (12,) is its pose relative to its final pose in the berth."""
     place, out = np.empty(POSE), np.empty(POSE)
-    compose(frames[berth.row], berth.place, place)
+    compose(frames[fit.row], fit.place, place)
     compose(place, seated, out)
     return out
 
 
-def conditions_at(site: Site, worksite: WorksiteState, k: int, berth: Berth) -> tuple[Condition, ...]:
+def conditions_at(site: Site, worksite: WorksiteState, k: int, fit: Fit) -> tuple[Condition, ...]:
     """Return the conditions for fixing a payload to a berth.
 
     If another payload is in the berth, the failed condition "seat empty" is added.
     """
     titles = [
-        site.cargo[i].title for i, payload in enumerate(worksite.cargo) if i != k and payload.seat == berth.seat.name
+        site.cargo[i].title for i, payload in enumerate(worksite.cargo) if i != k and payload.seat == fit.berth.name
     ]
     occupied = tuple(Condition("seat empty", False, 1.0, 0.0, "", -1.0, f"{title} is in it") for title in titles)
-    return (*_fitting(site, worksite.frames, k, berth), *occupied)
-
-
-def _beyond(site: Site, frames: Array, k: int, berth: Berth) -> bool:
-    """Return whether a berth is a port, and the payload's probe is farther from the port than the docking distance."""
-    if berth.port is None:
-        return False
-    found = approached(berth, frames, site.cargo_row(k))
-    return bool(found[DISTANCE] > berth.docking.distance)
-
-
-def approached(berth: Berth, frames: Array, cargo_row: int) -> Array:
-    """Return the results (6,) of `worksite.seats.docking.approach` for a payload's probe at a port.
-
-    Args:
-        berth: constants for fixing the payload to the port.
-        frames: (F, 12) poses of all frames in L.
-        cargo_row: row of the payload's frame.
-    """
-    assert berth.port is not None
-    found, port = np.empty(FOUND), np.empty(POSE)
-    compose(frames[berth.row], berth.port, port)
-    approach(berth.probe, berth.tip, frames[cargo_row], port, berth.seat.envelope, found)
-    return found
-
-
-def _fitting(site: Site, frames: Array, k: int, berth: Berth) -> tuple[Condition, ...]:
-    """Return the conditions on a payload's pose relative to its final pose in a berth."""
-    if berth.port is not None:
-        return docking(approached(berth, frames, site.cargo_row(k)), berth.docking)
-    off = berth.offset(frames, site.cargo_row(k))
-    if berth.guides is None:
-        return retained(off, berth.tolerances)
-    trunnions = berth.trunnion_offsets(frames, site.cargo_row(k), site.cargo[k].trunnions)
-    guided = in_guides(trunnions, berth.guides)
-    return (*guided, *ready_to_latch(trunnions, off, berth.guides, berth.tolerances))
+    return (*fit.conditions(worksite.frames, site.cargo_row(k)), *occupied)

@@ -24,9 +24,6 @@ from aftdeck.worksite.capture.grapple import in_envelope
 from aftdeck.worksite.conditions import all_hold
 from aftdeck.worksite.watch.near import near_pairs
 
-_GIVES = {"port": 0.2, "retention": 0.1}
-"""Time constants with which docking ports and bay latches return a payload to its place [s]; with a port's, a payload
-that arrives at 0.2 m/s moves 15 mm past it (assumed)."""
 NEAR = 0.02
 """Distance below which two solids can touch in the next control period [m], in addition to the distance that they cover
 at their present speeds: for an acceleration of 0.5 m/s2, it is enough for periods up to 0.28 s (assumed)."""
@@ -82,13 +79,12 @@ def _holds(site: Site, worksite: WorksiteState) -> list[Hold]:
     for k, payload in enumerate(worksite.cargo):
         if payload.grasp is not None:
             found.append(Hold(k, "hand", np.array(payload.grasp)))
-        if (berth := site.berth(k, payload.seat)) is not None:
+        if (fit := site.fit(k, payload.seat)) is not None:
             seated, pose = np.empty(POSE), np.empty(POSE)
-            compose(berth.place, np.array(payload.offset_in_seat), seated)
+            compose(fit.place, np.array(payload.offset_in_seat), seated)
             compose(site.scene, seated, pose)
-            found.append(
-                Hold(k, "space" if berth.row == site.space_row else "orbiter", pose, give=_GIVES[berth.seat.kind])
-            )
+            in_space = fit.row == site.space_row
+            found.append(Hold(k, "space" if in_space else "orbiter", pose, give=fit.berth.gives))
     snare = worksite.snare
     closes = worksite.held is None and snare.motion == "capture" and snare.ring < 1.0
     if closes and (k := _snared(site, worksite.frames)) >= 0:

@@ -33,7 +33,7 @@ def _task(site: Site, worksite: WorksiteState) -> int:
     if held is None:
         return ACQUISITION
     seat = worksite.cargo[held].seat
-    if seat and site.seat(seat).kind == "port":
+    if seat and site.berth(seat).docks:
         return DOCKED
     return EXTRACTION if in_bay(site, worksite.watch.placed, held) else MANOEUVRING
 

@@ -52,7 +52,7 @@ def _script_targets(scenario: Scenario) -> Iterator[_ScriptTarget]:
     payload moves in free flight, or an earlier phase moved it to a berth and ended with an event such as docking.
     """
     model, cargo, start = scenario.arm.model, scenario.cargo, scenario.start
-    seats = {seat.name: seat for seat in scenario.worksite.seats}
+    seats = {seat.name: seat for seat in scenario.worksite.berths}
     still = [
         not (payload.limit_cycle or payload.start.velocity.any() or payload.start.rates.any()) for payload in cargo
     ]

@@ -99,7 +99,7 @@ def _work(scenario: Scenario) -> WorkInfo:
         effector=(model.linkage.frames[-1], *(() if equipment.prong is None else (PRONG,))),
         stand=None if equipment.telescope is None else StandInfo(*equipment.telescope),
         cargo=tuple(cargo.name for cargo in scenario.cargo),
-        seats=tuple(SeatInfo(seat.name, seat.title) for seat in scenario.worksite.seats),
+        seats=tuple(SeatInfo(seat.name, seat.title) for seat in scenario.worksite.berths),
         parts=tuple(scenario.parts),
         caution=scenario.caution,
         warning=scenario.warning,

@@ -13,8 +13,10 @@ from aftdeck.bodies.hexahedron import CORNERS, NX, D, pack
 from aftdeck.bodies.solid import Solid
 from aftdeck.files import Problem, Where
 from aftdeck.frames import Pose
+from aftdeck.worksite.body import Body
 from aftdeck.worksite.file.schema import WorksiteFile
-from aftdeck.worksite.model import Bay, Body, Cargo
+from aftdeck.worksite.model import Bay
+from aftdeck.worksite.payload import Cargo
 
 ARM = "arm."
 """Prefix of the names of an arm's frames. This module does not check whether a camera's frame exists on the arm,

@@ -1,7 +1,7 @@
 """Schema of a worksite's file, which contains every dimension of the worksite.
 
 Positions are in the axes of the body to which a table belongs. The first body's axes are those of the scene: x aft,
-y starboard, z up. `source` gives the source of a table's numbers, or ``assumed``. The modules `solids`, `seats`,
+y starboard, z up. `source` gives the source of a table's numbers, or ``assumed``. The modules `solids`,
 `cargo` and `check` check the rules that types cannot express.
 """
 
@@ -14,20 +14,14 @@ import msgspec
 from aftdeck.bodies.camera_file import CameraFile, DriveFile
 from aftdeck.bodies.mass_properties import impossible, tensor
 from aftdeck.bounds import Bounds
-from aftdeck.shapes import Material, Shape, without_lamps
+from aftdeck.shapes import Shape, without_lamps
 from aftdeck.units import Angle, AngularRate, Length, Mass, MomentOfInertia, Speed, Time, Torque
+from aftdeck.worksite.berths.kinds import BerthFile
 from aftdeck.worksite.file.cargo_file import CargoFile
 from aftdeck.worksite.file.solid_file import SolidFile
-from aftdeck.worksite.file.tables import Placed, Point, Range, Table, Text, ordered, positive
-from aftdeck.worksite.model import OrbiterMotion, Relation
-
-FITTING_OF: dict[Relation, str] = {
-    "acquisition": "receptacle",
-    "docking": "probe",
-    "guides": "trunnions",
-    "capture": "grapple fixture",
-}
-"""For each `Relation`, the payload's fitting to which this relation applies."""
+from aftdeck.worksite.model import OrbiterMotion
+from aftdeck.worksite.relation import FITTING_OF, Relation
+from aftdeck.worksite.tables import Placed, Point, Range, Table, Text, ordered, positive
 
 
 class BodyFile(Placed, frozen=True, kw_only=True):
@@ -45,74 +39,6 @@ class BodyFile(Placed, frozen=True, kw_only=True):
     def __post_init__(self) -> None:
         """Reject a lamp among the details (ValueError)."""
         without_lamps(self.details)
-
-
-class _SeatFile(Placed, frozen=True, kw_only=True, tag_field="kind"):
-    """A berth, where a payload can be fixed to a body."""
-
-    name: Text
-    title: Text
-    body: Text
-    latch: Literal["auto", "command"]
-    """Event at which a bay berth fixes a payload that meets the conditions. ``auto``: the end effector releases the
-    payload. ``command``: a command is given. A port fixes a payload as soon as the conditions hold, without a
-    command."""
-    time: Time = Time(0.0)
-    """Time that the latches take to close or to release."""
-    distance: Length
-    """Greatest distance from its seated position at which a payload can be latched."""
-    angle: Angle
-    """Greatest rotation from its seated attitude at which a payload can be latched."""
-    source: Text
-
-    def __post_init__(self) -> None:
-        """Reject tolerances that are not above zero, and a negative time (ValueError)."""
-        positive(distance=self.distance, angle=self.angle)
-        if self.time < 0.0:
-            raise ValueError(f"time is {self.time:g} s; it cannot be below 0")
-
-
-class PortFile(_SeatFile, frozen=True, kw_only=True, tag="port"):
-    """A docking port.
-
-    Its centre is on a face of a solid. Its axes equal the axes of a docked payload; x points outwards.
-    """
-
-    radius: Length
-    """Radius of the disc that marks the port."""
-    material: Material
-
-    def __post_init__(self) -> None:
-        """Reject tolerances and a radius that are not above zero, and a negative time (ValueError)."""
-        super().__post_init__()
-        positive(radius=self.radius)
-
-
-class GuidesFile(Table, frozen=True, kw_only=True):
-    """V-shaped guides over each longeron latch."""
-
-    height: Length
-    """Height of the guides' upper ends above the stowed trunnion."""
-    half_angle: Angle
-    """Angle between the vertical and each side of the V."""
-    throat: Length
-    """Half the width of the V at the height of the stowed trunnion, minus the trunnion's radius."""
-    play: Length
-    """Greatest offset of a trunnion along its own axis, in either direction."""
-
-    def __post_init__(self) -> None:
-        """Reject values that are not above zero (ValueError)."""
-        positive(height=self.height, half_angle=self.half_angle, throat=self.throat, play=self.play)
-
-
-class RetentionFile(_SeatFile, frozen=True, kw_only=True, tag="retention"):
-    """A berth in the bay. Its position and rotation equal those of a payload that is fixed in the berth."""
-
-    guides: GuidesFile | None = None
-    """V-guides. A berth with V-guides holds only payloads that have trunnions."""
-
-
-SeatFile = PortFile | RetentionFile
 
 
 class BarFile(Table, frozen=True, kw_only=True, tag_field="kind", tag="bar"):
@@ -298,7 +224,7 @@ class WorksiteFile(Table, frozen=True, kw_only=True):
     origin: Point
     """Structural Xo, Yo, Zo of the scene's origin."""
     body: tuple[BodyFile, ...]
-    seat: tuple[SeatFile, ...] = ()
+    seat: tuple[BerthFile, ...] = ()
     cargo: tuple[CargoFile, ...] = ()
     camera: tuple[CameraFile, ...] = ()
     drive: tuple[DriveFile, ...] = ()
