@@ -81,11 +81,12 @@ LAYER = {name: rank for rank, names in enumerate(LAYERS) for name in names}
 WITHIN: dict[str, tuple[tuple[str, ...], ...]] = {
     "worksite": (
         ("tables", "conditions", "log_line", "free_flight", "body", "payload", "relation"),
-        ("watch",),
+        ("watch", "draw_in"),
+        ("report",),
         ("berths", "capture"),
         ("model",),
         ("file",),
-        ("sliding", "report"),
+        ("sliding",),
         ("__init__",),
     ),
     "simulation": (

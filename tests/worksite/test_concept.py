@@ -22,7 +22,7 @@ from aftdeck.scenario.load import load_scenario
 from aftdeck.simulation.constants.site import site_of
 from aftdeck.worksite import Cargo, Worksite, load_worksite
 from aftdeck.worksite.berths.port import Port
-from aftdeck.worksite.model import BarAcquisition
+from aftdeck.worksite.capture.bar import BarFile
 
 FOOT = 0.3048
 REPORT = np.diag([1.0, -1.0, -1.0])
@@ -159,7 +159,7 @@ def test_arm_reaches_each_bar_at_the_start_in_the_bay_and_docked(concept: Worksi
 
 def test_tolerances_are_those_of_the_report(concept: Worksite) -> None:
     rules = concept.acquisition
-    assert isinstance(rules, BarAcquisition)
+    assert isinstance(rules, BarFile)
     assert (rules.window / FOOT, rules.front / FOOT, rules.rear / FOOT) == pytest.approx((1 / 16, 0.5, 0.5))
     assert rules.fingers_within / FOOT == pytest.approx(8.0)
     port = concept.berths[0]

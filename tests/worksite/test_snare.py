@@ -17,10 +17,10 @@ from aftdeck.bodies.pose import row_of
 from aftdeck.frames import Pose, endori
 from aftdeck.tuples import Rows, Vec3
 from aftdeck.units import INCH
-from aftdeck.worksite.berths.draw_in import remaining
 from aftdeck.worksite.capture.grapple import CaptureEnvelope, in_envelope
 from aftdeck.worksite.capture.snare import Flags, Snare, SnareCommand, SnareTimes, advance, flags
 from aftdeck.worksite.conditions import Condition, all_hold, failing
+from aftdeck.worksite.draw_in import remaining
 from aftdeck.worksite.log_line import LogLine
 
 ENVELOPE = CaptureEnvelope(4.0 * INCH, -0.001, 4.0 * INCH, radians(10.0), radians(10.0), radians(10.0))

@@ -20,11 +20,11 @@ from aftdeck.historical.frame_words import STATIONS, ControlWord, Direction, Fra
 from aftdeck.historical.rms_vs_input import PRONG_DIRECTIONS
 from aftdeck.simulation.camera_drives import CameraDrive
 from aftdeck.simulation.constants.flight import Flight
-from aftdeck.simulation.constants.hand import HEXES
 from aftdeck.simulation.inputs import Inputs
 from aftdeck.simulation.observe.look_work import all_near
 from aftdeck.simulation.state import State
 from aftdeck.units import FOOT
+from aftdeck.worksite.capture.bar import HEXES, Bar
 
 INNER = (3, 1, 4)
 """Indices, from 0, of face d of HEX 1, face b of HEX 2 and face e of HEX 3. These faces are next to a held bar."""
@@ -115,8 +115,8 @@ def _bits(switch: Direction, free: bool) -> Direction:
 
 def planes_of(flight: Flight, state: State) -> Planes:
     """Return D1 to D3 in R. A plane is None if there is no bar, or if hexahedron and bar collide."""
-    bar, held = flight.site.bar, state.worksite.held
-    if bar is not None and held is not None and (solids := bar.solids(held)) is not None:
+    bar, held = flight.site.capture, state.worksite.held
+    if isinstance(bar, Bar) and held is not None and (solids := bar.solids(held)) is not None:
         d1, d2, d3 = (
             _face(state.worksite.watch.placed[solid], face) for solid, face in zip(solids, INNER, strict=False)
         )

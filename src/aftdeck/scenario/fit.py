@@ -24,8 +24,9 @@ from aftdeck.frames import IDENTITY, Pose
 from aftdeck.scenario.on_arm import arm_solids
 from aftdeck.scenario.relative import at_cargo, composed, inverted, scene_in_l
 from aftdeck.scenario.target import AtCargo
+from aftdeck.worksite.capture.bar import BarFile
 from aftdeck.worksite.conditions import Units, quantity_text
-from aftdeck.worksite.model import BarAcquisition, Worksite
+from aftdeck.worksite.model import Worksite
 from aftdeck.worksite.payload import Cargo, part_of
 
 Parts = dict[str, list[Array]]
@@ -127,7 +128,7 @@ def _telescope_misfits(model: ArmModel, worksite: Worksite, around: Parts) -> It
 def _bar_errors(model: ArmModel, worksite: Worksite, payload: Cargo) -> Iterator[str]:
     """Yield the reasons why a prong can never acquire a payload's bar, or can never release it."""
     rule, prong, bar, units = worksite.acquisition, model.equipment.prong, payload.receptacle, model.units
-    if prong is None or not isinstance(rule, BarAcquisition) or bar is None:
+    if prong is None or not isinstance(rule, BarFile) or bar is None:
         return
 
     def length_text(value: float) -> str:
@@ -181,7 +182,7 @@ def hands(model: ArmModel, worksite: Worksite, payload: Cargo) -> Mapping[str, P
     empty for an end effector without a prong and for a payload without a bar.
     """
     rule, hand = worksite.acquisition, model.equipment.prong
-    if hand is None or not isinstance(rule, BarAcquisition) or payload.receptacle is None:
+    if hand is None or not isinstance(rule, BarFile) or payload.receptacle is None:
         return {}
     tip = at_cargo(model, payload, AtCargo(0, above=0.5 * rule.window))
     joint = composed(tip, Pose(-model.linkage.tip, np.eye(3)))

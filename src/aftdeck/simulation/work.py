@@ -28,7 +28,6 @@ from aftdeck.simulation.payloads.surroundings import follow_bodies
 from aftdeck.simulation.payloads.task_phases import change_task
 from aftdeck.simulation.state import State
 from aftdeck.tuples import Vec3
-from aftdeck.worksite.capture.acquisition import PRONG
 from aftdeck.worksite.free_flight import translate
 from aftdeck.worksite.watch.contact_motion import looked_at, relieves, worst_new_contact
 from aftdeck.worksite.watch.contact_update import update_contacts
@@ -176,9 +175,9 @@ def _move_prong(flight: Flight, worksite: WorksiteState, plant: PlantState, *, a
 def _closing_fraction(site: Site, worksite: WorksiteState, distance: float) -> float:
     """Return the fraction of `distance` [m] that the prong moves until it touches the held payload's bar; at most 1."""
     k = worksite.held
-    if site.bar is None or k is None or (found := site.bar.measured(worksite.watch.placed, k)) is None:
+    if site.capture is None or k is None:
         return 1.0
-    clearance = max(float(found[PRONG]), 0.0)
+    clearance = site.capture.until_touch(worksite.watch.placed, k)
     return 1.0 if distance <= clearance else clearance / distance
 
 

@@ -21,6 +21,7 @@ from aftdeck.shapes import Shape
 from aftdeck.tuples import Vec3
 from aftdeck.worksite.berths.berth import Berth
 from aftdeck.worksite.body import Body
+from aftdeck.worksite.capture.effector import CaptureTable
 from aftdeck.worksite.payload import Cargo
 from aftdeck.worksite.relation import Essential
 
@@ -33,44 +34,6 @@ class Mounted(msgspec.Struct, frozen=True, eq=False):
 
     shapes: tuple[Shape, ...]
     solids: tuple[Solid, ...]
-
-
-class BarAcquisition(msgspec.Struct, frozen=True):
-    """Conditions for the concept's end effector to acquire a bar; the report's names are in brackets."""
-
-    prong_spacing: float
-    """Greatest distance from the palm's centre line to the inner face of a prong that counts as closed (PRGSPC) [m]."""
-    window: float
-    """Greatest height of the palm above the bar's top (TOPB) [m]."""
-    front: float
-    """Least distance of the palm's centre from the bar's forward end, inwards along the bar (FRONT) [m]."""
-    rear: float
-    """Least distance of the palm's centre from the bar's aft end, inwards along the bar (REAR) [m]."""
-    fingers_within: float
-    """Greatest distance between palm and bar at which the fingers are tested [m]."""
-
-
-class SnareCapture(msgspec.Struct, frozen=True):
-    """Capture envelope of the Shuttle's end effector for a grapple fixture, and the durations of its motions."""
-
-    radial: float
-    """Greatest distance of the fixture from the end effector's axis [m]."""
-    nearest: float
-    """Least coordinate of the fixture along the end effector's axis [m]: 0 in the rigid position, positive outwards."""
-    farthest: float
-    """Greatest coordinate of the fixture along the end effector's axis [m]; zero and direction as for `nearest`."""
-    pitch: float
-    """Greatest rotation of the fixture about axis 2 of E, in either direction [rad]."""
-    yaw: float
-    """Greatest rotation of the fixture about axis 3 of E, in either direction [rad]."""
-    roll: float
-    """Greatest rotation of the fixture about axis 1 of E, in either direction [rad]."""
-    ring: float
-    """Time to close or open the snares [s]."""
-    carriage: float
-    """Time to retract or extend the carriage [s]."""
-    tension: float
-    """Time to rigidize or derigidize [s]."""
 
 
 class Bay(msgspec.Struct, frozen=True):
@@ -154,7 +117,8 @@ class Worksite(msgspec.Struct, frozen=True, eq=False):
     """Available payloads; a scenario names the payloads that are present."""
     essential: tuple[Essential, ...]
     """Pairs of parts that the task brings into contact. In some pairs, one part belongs to the arm."""
-    acquisition: BarAcquisition | SnareCapture | None
+    acquisition: CaptureTable | None
+    """Rules of capture by one kind of end effector; None if nothing can be captured."""
     bay: Bay | None
     translation: Translation | None
     orbiter: OrbiterMass | None

@@ -22,6 +22,7 @@ from aftdeck.plant.state import Bodies
 from aftdeck.scenario.model import Scenario
 from aftdeck.simulation.inputs import Inputs
 from aftdeck.simulation.run import Simulation
+from aftdeck.worksite.capture.snares import Snares
 
 STRETCHED = ["0 deg", "90 deg", "-10 deg", "-90 deg", "0 deg", "0 deg"]
 """Arm up and nearly straight, with the end effector at right angles: a force along its axis acts on the whole arm."""
@@ -48,11 +49,14 @@ def free_flyer(plant: str, mass: float = 15_000.0, ahead: float = 0.09) -> Simul
     """
     first = Simulation(scenario(plant))
     site, frames = first._flight.site, first._state.worksite.frames
-    assert site.snares is not None
+    snares = site.capture
+    assert isinstance(snares, Snares)
+    fixture = snares.fixtures[0]
+    assert fixture is not None
     effector, pin, payload, scene = (np.empty(POSE) for _ in range(4))
     compose(frames[site.last_joint], site.effector, effector)
     compose(effector, row_of(Pose(np.array([ahead, 0.02, -0.02]), np.eye(3))), pin)
-    compose(pin, inverse(site.snares.fixture(0)), payload)
+    compose(pin, inverse(fixture), payload)
     relative(site.scene, payload, scene)
     at = pose_of(scene)
     along = site.scene[3:].reshape(3, 3).T @ effector[3:].reshape(3, 3) @ [-APPROACH, 0.0, 0.0]

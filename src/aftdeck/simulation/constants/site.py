@@ -19,8 +19,8 @@ from aftdeck.scenario import relative
 from aftdeck.scenario.model import Scenario
 from aftdeck.scenario.on_arm import arm_solids
 from aftdeck.scenario.payload import PART
-from aftdeck.simulation.constants.hand import Bar, Snares, bar_of, snares_of
 from aftdeck.worksite.berths.berth import Berth, Fit
+from aftdeck.worksite.capture.effector import EndEffector, MadeFor
 from aftdeck.worksite.model import Worksite
 from aftdeck.worksite.payload import Cargo, part_of
 from aftdeck.worksite.relation import ALIGNED, Meeting
@@ -63,9 +63,7 @@ class Site:
         hand: (12,) pose of the tip in the frame of the last joint.
         effector: (12,) pose of the end effector's own axes E at the tip, in the frame of the last joint.
         prong: True if the end effector has a prong, False if it has snares.
-        bar: constants of capture with the prong; None if the arm has no prong, or if the worksite has no rules for
-            a prong.
-        snares: constants of capture with the snares; None if the worksite has no rules for snares.
+        capture: constants of capture; None if the worksite has no rules for the arm's end effector.
         detrimental: (g,) 1 for pairs that are not essential.
         axes: (3, 3) the orbiter's axes (forward, starboard, down) in L.
         fits: for each payload, its constants in each berth that accepts it.
@@ -97,8 +95,7 @@ class Site:
     hand: Array
     effector: Array
     prong: bool
-    bar: Bar | None
-    snares: Snares | None
+    capture: EndEffector | None
     detrimental: Mask
     axes: Array
     fits: tuple[tuple[Fit, ...], ...]
@@ -179,6 +176,10 @@ def site_of(scenario: Scenario) -> Site:
         )
         for payload in cargo
     )
+    effector = row_of(Pose(model.linkage.tip, rotation_x(model.end_effector_roll)))
+    rows = tuple(range(2 + len(arm.names), len(frames)))
+    hand_row = arm.names.index(model.linkage.frames[-1]) + 1
+    made_for = MadeFor(model, cargo, [solid.part for solid in solids], hand_row, effector, rows)
     return Site(
         worksite=worksite,
         cargo=cargo,
@@ -200,10 +201,9 @@ def site_of(scenario: Scenario) -> Site:
         },
         scene=scene_in_l(scenario),
         hand=row_of(Pose(model.linkage.tip, np.eye(3))),
-        effector=row_of(Pose(model.linkage.tip, rotation_x(model.end_effector_roll))),
+        effector=effector,
         prong=model.equipment.prong is not None,
-        bar=bar_of(model, worksite, cargo, [solid.part for solid in solids]),
-        snares=snares_of(worksite, cargo),
+        capture=None if worksite.acquisition is None else worksite.acquisition.effector(made_for),
         detrimental=1 - essential,
         axes=model.mount.rotation.T.copy(),
         fits=fits,

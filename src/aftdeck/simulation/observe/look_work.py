@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from functools import lru_cache
-
 import numpy as np
 
 from aftdeck.arrays import Array, Mask
@@ -19,7 +17,7 @@ from aftdeck.simulation.state import State
 from aftdeck.steering.layout import MASTER
 from aftdeck.steering.mode import MODES
 from aftdeck.tuples import Joints, Vec3
-from aftdeck.worksite.capture.snare import Snare, flags
+from aftdeck.worksite.capture import bar, snares
 from aftdeck.worksite.report import Cargo, Hand, Near, Work
 from aftdeck.worksite.watch.found import CLEARANCE, DISTANCE, FEATURE_A, FEATURE_B, NORMAL, POINT_A, POINT_B, SPEED
 from aftdeck.worksite.watch.groups import Layout
@@ -129,22 +127,10 @@ def near_of(layout: Layout, essential: Mask, found: Array, group: int) -> Near:
 
 def _hand(flight: Flight, worksite: WorksiteState, *, loaded: bool) -> Hand:
     """Return the record of the end effector; `loaded`: whether a payload is in the grasp."""
-    has = flight.scenario.arm.model.equipment.prong
-    if has is not None:
-        prong, travel = worksite.prong.position, flight.prong
-        opening = (travel.high - prong) / (travel.high - travel.low)
-        spacing = has.fixed_finger - prong
-        shows = (("CAPTURE", loaded), ("CLOSE", opening == 0.0), ("OPEN", opening == 1.0))
-        return Hand(worksite.switch, opening, spacing, None, tuple(name for name, on in shows if on))
-    snare = worksite.snare
-    lit = _lit(snare)
-    return Hand(worksite.switch, 1.0 - snare.ring, None, snare.carriage, lit, worksite.effector_mode, worksite.rigid)
-
-
-@lru_cache(maxsize=16)
-def _lit(snare: Snare) -> tuple[str, ...]:
-    """Return the names of the panel's flags that are lit."""
-    return tuple(name for name, on in flags(snare)._asdict().items() if on)
+    prong = flight.scenario.arm.model.equipment.prong
+    if prong is not None:
+        return bar.status(worksite.switch, worksite.prong.position, prong, holds=loaded)
+    return snares.status(worksite.controls())
 
 
 def _cargo(site: Site, worksite: WorksiteState, k: int, period: float) -> Cargo:

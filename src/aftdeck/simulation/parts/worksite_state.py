@@ -16,6 +16,7 @@ from aftdeck.simulation.frame import WayOut
 from aftdeck.simulation.parts.free_flight import Floating
 from aftdeck.state_part import StatePart
 from aftdeck.worksite.berths.latches import Latches
+from aftdeck.worksite.capture.effector import Controls
 from aftdeck.worksite.capture.snare import Snare
 from aftdeck.worksite.watch.clearance_monitor import ClearanceMonitor
 from aftdeck.worksite.watch.contacts import Contacts
@@ -192,6 +193,10 @@ class WorksiteState(StatePart):
             self.carrier[k], self.poses_in_carrier[k] = site.last_joint, payload.grasp
         elif (flight := self.floating[k]) is not None:
             self.carrier[k], self.poses_in_carrier[k] = -1, flight.pose
+
+    def controls(self, *, pressed: bool = False) -> Controls:
+        """Return controls and state of the end effector; `pressed`: whether its switch was pressed in this step."""
+        return Controls(self.switch, pressed, self.effector_mode, self.rigid, self.prong.position, self.snare)
 
     def places(self, site: Site) -> tuple[Array, Array, Array, Array, Indices, Array]:
         """Return the arguments of `place_everything` that precede angles, stand and prong."""

@@ -20,23 +20,16 @@ import numpy as np
 from aftdeck.arrays import Array, Indices, Mask
 from aftdeck.bodies.pair import CONTACT
 from aftdeck.bodies.pose import HERE
-from aftdeck.frames import oriend_rows
 from aftdeck.law import law
-from aftdeck.matrices import length, product
-from aftdeck.simulation.constants.hand import Snares
+from aftdeck.matrices import product
 from aftdeck.simulation.constants.site import Site
 from aftdeck.simulation.parts.worksite_state import WorksiteState
-from aftdeck.simulation.payloads.grasp import NEAR, fixture_in_hand
-from aftdeck.worksite.capture.acquisition import enclosed_bar
+from aftdeck.simulation.payloads.grasp import NEAR
 from aftdeck.worksite.relation import Meeting, Relation
 from aftdeck.worksite.watch.clearance_monitor import ClearanceMonitor
 from aftdeck.worksite.watch.contact_update import nearest_place
 from aftdeck.worksite.watch.contacts import FRAMES, Contacts
 from aftdeck.worksite.watch.found import CLEARANCE
-
-WIDER, WIDEST = 2.0, 2.4
-"""Factors on the capture envelope's radius and angles [1] (assumed). Alignment begins inside the envelope widened by
-the first factor, and ends outside the envelope widened by the second."""
 
 ASIDE = 0.3
 """Greatest distance of a payload from the line on which it enters a berth, up to which it is about to enter [m]
@@ -105,11 +98,8 @@ def alarm_pairs(
         if undecided:
             _decide(site, frames, nearest, counts)
     k = None
-    if held is None and site.bar is not None:
-        enclosed = enclosed_bar(watch.placed, site.bar.bars, site.bar.packed, NEAR)
-        k = None if enclosed < 0 else enclosed
-    elif held is None and site.snares is not None:
-        k = _before_snares(site, site.snares, frames, before)
+    if held is None and site.capture is not None:
+        k = site.capture.aligned_with(frames, watch.placed, NEAR, before)
     if k is None or (contacts.inhibit.arm and _inhibited(contacts, site.held[k])):
         return counts, k
     return counts & site.not_held[k], k
@@ -245,19 +235,3 @@ def _is_aligned(site: Site, frames: Array, meeting: Meeting, *, reported: bool) 
     inside = depth if reported else 0.0
     fits = (fit for fit in site.fits[k] if fit.relation == meeting.relation)
     return any(fit.is_aligned(frames, site.cargo_row(k), depth, NEAR, inside) for fit in fits)
-
-
-def _before_snares(site: Site, snares: Snares, frames: Array, before: int | None) -> int | None:
-    """Return the payload whose pin is aligned with the end effector in position and attitude; None if there is none."""
-    envelope = snares.envelope
-    for k in range(len(snares.fixtures)):
-        if (fixture := fixture_in_hand(site, frames, k)) is None:
-            continue
-        (out, y, z), rows = fixture
-        wide = WIDEST if k == before else WIDER
-        if length((y, z)) > wide * envelope.radial or abs(out) > NEAR:
-            continue
-        roll, pitch, yaw = (abs(angle) for angle in oriend_rows(rows))
-        if roll <= wide * envelope.roll and pitch <= wide * envelope.pitch and yaw <= wide * envelope.yaw:
-            return k
-    return None

@@ -5,14 +5,12 @@ This module begins a grasp at capture and ends it at release. After release, the
 
 from __future__ import annotations
 
-from itertools import chain
-
 import numpy as np
 
 from aftdeck.arrays import Array
 from aftdeck.bodies.pose import POSE, compose, relative
 from aftdeck.kinematics.payload import PACKED, Payload
-from aftdeck.matrices import length, product
+from aftdeck.matrices import product
 from aftdeck.plant.state import PlantState
 from aftdeck.simulation.constants.flight import Flight
 from aftdeck.simulation.constants.site import Site
@@ -20,10 +18,10 @@ from aftdeck.simulation.log import Log
 from aftdeck.simulation.parts.carried import steering_setup
 from aftdeck.simulation.parts.free_flight import floating
 from aftdeck.simulation.parts.worksite_state import WorksiteState
-from aftdeck.simulation.payloads.hand_poses import InEffector, fixture_in_effector, payload_in_hand
+from aftdeck.simulation.payloads.hand_poses import payload_in_hand
 from aftdeck.simulation.state import Panel, State
 from aftdeck.steering.mode import MODES
-from aftdeck.worksite.capture.snare import Snare
+from aftdeck.worksite.capture.snare import RIGID, Snare
 from aftdeck.worksite.watch.motion import motion
 
 NEAR = 3.0
@@ -45,9 +43,9 @@ def reset_grasp(site: Site, worksite: WorksiteState, k: int) -> None:
     """
     payload = worksite.cargo[k]
     payload.grasp = payload.steered = pose_in_hand(site, worksite.frames, k).tolist()
-    if (fixture := fixture_in_hand(site, worksite.frames, k)) is not None:
-        position, rows = fixture
-        payload.fixture_at_capture = [*position, *chain.from_iterable(rows)]
+    grip = None if site.capture is None else site.capture.grip(worksite.frames, k)
+    if grip is not None:
+        payload.fixture_at_capture = grip.tolist()
         payload.drawn_at_capture = worksite.snare.drawn
 
 
@@ -73,8 +71,7 @@ def set_effector(flight: Flight, worksite: WorksiteState, *, holding: bool) -> N
     if flight.site.prong:
         worksite.prong.position = flight.prong.high if holding else flight.prong.low
     else:
-        held = Snare(ring=1.0, carriage=1.0, tension=1.0, captured=True, drawn=1.0)
-        worksite.snare = held if holding else Snare()
+        worksite.snare = RIGID if holding else Snare()
 
 
 def packed_in_grasp(site: Site, worksite: WorksiteState, carried: Payload | None) -> Array | None:
@@ -112,36 +109,6 @@ def pose_in_hand(site: Site, frames: Array, k: int) -> Array:
     grasp = np.empty(POSE)
     relative(frames[site.last_joint], frames[site.cargo_row(k)], grasp)
     return grasp
-
-
-def fixture_in_hand(site: Site, frames: Array, k: int) -> InEffector | None:
-    """Return the pose of a payload's grapple fixture in the end effector's axes E.
-
-    Args:
-        site: constants of the worksite.
-        frames: (F, 12) poses of all frames in L.
-        k: the payload.
-
-    Returns:
-        The pose; None if the end effector has no snares, or the payload has no fixture.
-    """
-    fixture = site.snares.fixtures[k] if site.snares is not None else None
-    if fixture is None:
-        return None
-    return fixture_in_effector(frames, site.last_joint, site.effector, site.cargo_row(k), fixture)
-
-
-def nearest_fixture(site: Site, frames: Array, within: float = NEAR) -> tuple[int, InEffector] | None:
-    """Return the payload whose fixture is nearest to the end effector, and the fixture's pose in E.
-
-    None if no fixture is nearer than `within` [m].
-    """
-    best, least = None, within
-    for k in range(len(site.cargo)):
-        fixture = fixture_in_hand(site, frames, k)
-        if fixture is not None and (away := length(fixture[0])) < least:
-            best, least = (k, fixture), away
-    return best
 
 
 def empty_grasp(site: Site, worksite: WorksiteState, panel: Panel, log: Log, k: int) -> None:

@@ -10,11 +10,7 @@ from __future__ import annotations
 
 from aftdeck.arrays import Array, Mask
 from aftdeck.bodies.pair import CONTACT
-from aftdeck.frames import oriend_rows
-from aftdeck.matrices import length
 from aftdeck.simulation.constants.site import Site
-from aftdeck.simulation.payloads.grasp import fixture_in_hand
-from aftdeck.worksite.capture.acquisition import FIXED, PALM, PRONG
 from aftdeck.worksite.relation import Meeting
 from aftdeck.worksite.watch.clearance_monitor import ClearanceMonitor
 from aftdeck.worksite.watch.found import CLEARANCE
@@ -42,35 +38,8 @@ def permitted(site: Site, watch: ClearanceMonitor, frames: Array) -> Mask:
 
 def _related(site: Site, watch: ClearanceMonitor, frames: Array, meeting: Meeting) -> bool:
     """Return whether the two parts of a pair are in their relation."""
-    k, depth = meeting.cargo, meeting.depth
-    if meeting.relation == "acquisition":
-        return _about_bar(site, watch.placed, k, depth)
-    if meeting.relation == "capture":
-        return _in_envelope(site, frames, k, depth)
+    k, device = meeting.cargo, site.capture
+    if device is not None and meeting.relation == device.relation:
+        return device.permits(frames, watch.placed, meeting)
     fits = (fit for fit in site.fits[k] if fit.relation == meeting.relation)
     return any(fit.permits(frames, site.cargo_row(k), watch.placed, meeting) for fit in fits)
-
-
-def _about_bar(site: Site, placed: Array, k: int, depth: float) -> bool:
-    """Return whether the bar is in front of the palm and between the fingers: conditions 1 to 3 of acquisition."""
-    if site.bar is None or (found := site.bar.measured(placed, k)) is None:
-        return False
-    return bool(min(found[PALM], found[FIXED], found[PRONG]) >= -depth)
-
-
-def _in_envelope(site: Site, frames: Array, k: int, depth: float) -> bool:
-    """Return whether the pin is in the capture envelope, without a limit at the envelope's outer end.
-
-    The snares reach beyond the outer end, and may touch the base of the fixture.
-    """
-    if site.snares is None or (fixture := fixture_in_hand(site, frames, k)) is None:
-        return False
-    envelope, ((out, y, z), rows) = site.snares.envelope, fixture
-    roll, pitch, yaw = (abs(angle) for angle in oriend_rows(rows))
-    return bool(
-        length((y, z)) <= envelope.radial
-        and out >= envelope.nearest - depth
-        and roll <= envelope.roll
-        and pitch <= envelope.pitch
-        and yaw <= envelope.yaw
-    )

@@ -24,9 +24,9 @@ from aftdeck.simulation.payloads.latch_command import NEAR, Pressed, addressed, 
 from aftdeck.simulation.payloads.mechanism import is_blocked
 from aftdeck.simulation.state import State
 from aftdeck.worksite.berths.berth import Fit
-from aftdeck.worksite.berths.draw_in import remaining
 from aftdeck.worksite.berths.latches import OPEN, SHUT, Latches, advance
 from aftdeck.worksite.conditions import Condition, Units, all_hold, failure_text, quantity_text
+from aftdeck.worksite.draw_in import remaining
 
 
 def seat(flight: Flight, state: State, log: Log, pressed: Pressed | None) -> None:

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import math
-
 import numpy as np
 
 from aftdeck.arrays import Array, Indices
@@ -17,11 +15,9 @@ from aftdeck.simulation.constants.site import Site
 from aftdeck.simulation.inputs import Inputs
 from aftdeck.simulation.parts.worksite_state import WorksiteState
 from aftdeck.simulation.payloads.disturbances import pushes
-from aftdeck.simulation.payloads.grasp import nearest_fixture, pose_in_hand
+from aftdeck.simulation.payloads.grasp import pose_in_hand
 from aftdeck.simulation.payloads.jets import attitude_torques, translation_command
 from aftdeck.simulation.state import State
-from aftdeck.worksite.capture.grapple import in_envelope
-from aftdeck.worksite.conditions import all_hold
 from aftdeck.worksite.watch.near import near_pairs
 
 NEAR = 0.02
@@ -85,20 +81,12 @@ def _holds(site: Site, worksite: WorksiteState) -> list[Hold]:
             compose(site.scene, seated, pose)
             in_space = fit.row == site.space_row
             found.append(Hold(k, "space" if in_space else "orbiter", pose, give=fit.berth.gives))
-    snare = worksite.snare
-    closes = worksite.held is None and snare.motion == "capture" and snare.ring < 1.0
-    if closes and (k := _snared(site, worksite.frames)) >= 0:
-        found.append(Hold(k, "hand", pose_in_hand(site, worksite.frames, k), snare.ring))
+    device, placed = site.capture, worksite.watch.placed
+    touched = None if device is None else device.touched(worksite.controls(), worksite.held, worksite.frames, placed)
+    if touched is not None:
+        k, closed = touched
+        found.append(Hold(k, "hand", pose_in_hand(site, worksite.frames, k), closed))
     return found
-
-
-def _snared(site: Site, frames: Array) -> int:
-    """Return the payload whose pin is inside the capture envelope, where closing snares touch it; -1 for none."""
-    near, snares = nearest_fixture(site, frames, math.inf), site.snares
-    if near is None or snares is None:
-        return -1
-    k, fixture = near
-    return k if all_hold(in_envelope(fixture, snares.envelope)) else -1
 
 
 def follow_bodies(site: Site, worksite: WorksiteState, plant: PlantState, bodies: Bodies) -> None:

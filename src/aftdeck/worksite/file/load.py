@@ -28,15 +28,13 @@ from aftdeck.worksite.file.check import (
     parts_in_two_frames,
 )
 from aftdeck.worksite.file.housing import Housed, housed
-from aftdeck.worksite.file.schema import BarFile, BayFile, BodyFile, OrbiterFile, SnareFile, WorksiteFile
+from aftdeck.worksite.file.schema import BayFile, BodyFile, OrbiterFile, WorksiteFile
 from aftdeck.worksite.file.solids import as_solids, drawn, moved, solids_of
 from aftdeck.worksite.model import (
-    BarAcquisition,
     Bay,
     Jets,
     Mounted,
     OrbiterMass,
-    SnareCapture,
     Translation,
     Worksite,
 )
@@ -181,7 +179,7 @@ def _made(file: WorksiteFile, text: str, problems: list[Problem]) -> Worksite:
             for a in _named(pair.parts[0], parts)
             for b in _named(pair.parts[1], parts)
         ),
-        acquisition=_acquisition(file.acquisition),
+        acquisition=file.acquisition,
         bay=bay,
         translation=None
         if file.translation is None
@@ -287,19 +285,6 @@ def _named(name: str, parts: Collection[str]) -> tuple[str, ...]:
         return tuple(part for part in parts if part.endswith(f" {name}"))
     sides = tuple(part for part in (f"{name} port", f"{name} starboard") if part in parts)
     return (name,) if name in parts else sides or (name,)
-
-
-def _acquisition(file: BarFile | SnareFile | None) -> BarAcquisition | SnareCapture | None:
-    match file:
-        case BarFile():
-            return BarAcquisition(
-                *map(float, (file.prong_spacing, file.window, file.front, file.rear, file.fingers_within))
-            )
-        case SnareFile():
-            envelope = (file.radial, file.nearest, file.farthest, file.pitch, file.yaw, file.roll)
-            return SnareCapture(*map(float, (*envelope, file.ring, file.carriage, file.tension)))
-        case None:
-            return None
 
 
 def _bay(file: BayFile) -> Bay:

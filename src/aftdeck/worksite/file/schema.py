@@ -17,6 +17,7 @@ from aftdeck.bounds import Bounds
 from aftdeck.shapes import Shape, without_lamps
 from aftdeck.units import Angle, AngularRate, Length, Mass, MomentOfInertia, Speed, Time, Torque
 from aftdeck.worksite.berths.kinds import BerthFile
+from aftdeck.worksite.capture.kinds import CaptureFile
 from aftdeck.worksite.file.cargo_file import CargoFile
 from aftdeck.worksite.file.solid_file import SolidFile
 from aftdeck.worksite.model import OrbiterMotion
@@ -39,59 +40,6 @@ class BodyFile(Placed, frozen=True, kw_only=True):
     def __post_init__(self) -> None:
         """Reject a lamp among the details (ValueError)."""
         without_lamps(self.details)
-
-
-class BarFile(Table, frozen=True, kw_only=True, tag_field="kind", tag="bar"):
-    """Conditions for the concept's end effector to acquire a bar; the report's names are in brackets."""
-
-    prong_spacing: Length
-    """Greatest distance of the prong's inner face from the palm's centre line at which the prong counts as closed
-    (PRGSPC)."""
-    window: Length
-    """Greatest height of the palm above the bar's top (TOPB)."""
-    front: Length
-    """Least distance of the palm's centre from the bar's forward end, inwards along the bar (FRONT)."""
-    rear: Length
-    """Least distance of the palm's centre from the bar's aft end, inwards along the bar (REAR)."""
-    fingers_within: Length
-    """Greatest distance between palm and bar at which conditions 2 and 3 (bar beside the fingers) are tested. At a
-    greater distance, both conditions fail."""
-    source: Text
-
-    def __post_init__(self) -> None:
-        """Reject a `prong_spacing`, `window` or `fingers_within` that is not above zero (ValueError)."""
-        positive(prong_spacing=self.prong_spacing, window=self.window, fingers_within=self.fingers_within)
-
-
-class SnareFile(Table, frozen=True, kw_only=True, tag_field="kind", tag="snare"):
-    """Capture envelope of the Shuttle's end effector for a grapple fixture, and the durations of its motions."""
-
-    radial: Length
-    """Greatest distance of the fixture from the end effector's axis."""
-    nearest: Length
-    """Least coordinate of the fixture along the end effector's axis: 0 in the rigid position, positive outwards."""
-    farthest: Length
-    """Greatest coordinate of the fixture along the end effector's axis, with the same origin and sign as `nearest`."""
-    pitch: Angle
-    """Greatest pitch of the fixture in either direction."""
-    yaw: Angle
-    """Greatest yaw of the fixture in either direction."""
-    roll: Angle
-    """Greatest roll of the fixture in either direction."""
-    ring: Time
-    """Time to close or open the snares."""
-    carriage: Time
-    """Time to retract or extend the carriage."""
-    tension: Time
-    """Time to rigidize or derigidize."""
-    source: Text
-
-    def __post_init__(self) -> None:
-        """Reject values that are not above zero, and a `nearest` that is not less than `farthest` (ValueError)."""
-        positive(radial=self.radial, pitch=self.pitch, yaw=self.yaw, roll=self.roll)
-        positive(ring=self.ring, carriage=self.carriage, tension=self.tension)
-        if not self.nearest < self.farthest:
-            raise ValueError(f"nearest is {self.nearest:g} m and farthest {self.farthest:g} m; nearest has to be less")
 
 
 class EssentialFile(Table, frozen=True, kw_only=True):
@@ -232,7 +180,7 @@ class WorksiteFile(Table, frozen=True, kw_only=True):
     camera_clearance: Length = Length(0.0)
     """Least distance of a camera from every solid."""
     essential: tuple[EssentialFile, ...] = ()
-    acquisition: BarFile | SnareFile | None = None
+    acquisition: CaptureFile | None = None
     bay: BayFile | None = None
     translation: TranslationFile | None = None
     orbiter: OrbiterFile | None = None
