@@ -23,7 +23,7 @@ from aftdeck.simulation.parts.free_flight import floating
 from aftdeck.simulation.parts.worksite_state import WorksiteState
 from aftdeck.simulation.payloads.alignment import count
 from aftdeck.simulation.payloads.forces import held_by
-from aftdeck.simulation.payloads.grasp import attach, set_effector, update_steering
+from aftdeck.simulation.payloads.grasp import attach, carried_by, set_effector
 from aftdeck.simulation.payloads.objective import holding
 from aftdeck.simulation.payloads.relations import permitted
 from aftdeck.simulation.payloads.task_phases import change_task
@@ -107,7 +107,7 @@ def initialise(flight: Flight, state: State, part: Part) -> None:
     task = state.worksite.task
     state.replace_with(_state_at(flight, parts[part]))
     state.panel.motion_began, state.script.attached = state.tick - 1, 0 if flight.scenario.payload is None else 1
-    update_steering(flight, state)
+    state.carried = carried_by(flight.scenario, flight.site, state.worksite, state.script)
     if MODES[state.panel.mode].loaded and state.carried.payload is None:
         state.panel.mode = "ORB UNL"  # the present mode needs a payload, but the arm holds none
     log.add("initialise", "info", f"initialised to {part}")
@@ -152,7 +152,7 @@ def _set_to_start(flight: Flight, state: State, start: Start) -> None:
         frames[:] = frames_at(site, worksite, plant, angles, stand, worksite.prong.position)
         worksite.cargo[k].seat, worksite.cargo[k].released_from = "", worksite.cargo[k].seat
         attach(site, worksite, k)
-        update_steering(flight, state)
+        state.carried = carried_by(flight.scenario, flight.site, state.worksite, state.script)
         frames[:] = frames_with_prong_at(site, worksite, plant, worksite.prong.position)
     poses = frames[site.space_row + 1 :].copy()
     motions = np.array([np.zeros(6) if one is None else one.motion for one in worksite.floating]).reshape(-1, 6)

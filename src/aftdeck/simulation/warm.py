@@ -17,7 +17,7 @@ from aftdeck.simulation.motion.contact_out import way_out_of_contact
 from aftdeck.simulation.motion.ways_out import ways_out
 from aftdeck.simulation.observe.look import frame_of
 from aftdeck.simulation.observe.look_ahead import MOST_S, look_ahead
-from aftdeck.simulation.payloads.grasp import NEAR, attach, empty_grasp, start_free_flight, update_steering
+from aftdeck.simulation.payloads.grasp import NEAR, attach, carried_by, empty_grasp, start_free_flight
 from aftdeck.simulation.payloads.objective import present_objective
 from aftdeck.simulation.payloads.seating import conditions_at
 from aftdeck.simulation.payloads.sliding import slide_along
@@ -65,7 +65,7 @@ def _carry(flight: Flight, state: State) -> None:
     site, worksite, log = flight.site, state.worksite, state.log(flight.scenario.control_period)
     worksite.cargo[0].seat = ""
     attach(site, worksite, 0)
-    update_steering(flight, state)
+    state.carried = carried_by(flight.scenario, flight.site, state.worksite, state.script)
     change_task(site, worksite, log)
     frame_of(flight, state, digest(state))
     worksite.watch.update(worksite.frames, worksite.frames, flight.scenario.control_period)
@@ -79,6 +79,6 @@ def _carry(flight: Flight, state: State) -> None:
     counts = site.detrimental.copy()
     worksite.watch.except_far(site.detrimental, np.zeros(len(counts)), counts)
     empty_grasp(site, worksite, state.panel, log, 0)
-    update_steering(flight, state)
+    state.carried = carried_by(flight.scenario, flight.site, state.worksite, state.script)
     start_free_flight(flight, worksite, state.plant, 0, from_space=False)
     step(flight, state, None)

@@ -21,6 +21,7 @@ from aftdeck.simulation.payloads.capture import capture
 from aftdeck.simulation.payloads.contact_log import log_contacts
 from aftdeck.simulation.payloads.forces import watch_forces
 from aftdeck.simulation.payloads.free_contact import drifted
+from aftdeck.simulation.payloads.grasp import carried_by
 from aftdeck.simulation.payloads.jets import translation_rejection
 from aftdeck.simulation.payloads.relations import permitted
 from aftdeck.simulation.payloads.seating import seat
@@ -44,7 +45,7 @@ def update_worksite(flight: Flight, state: State, log: Log, inputs: Inputs) -> N
     if plant.bodies is None:
         for k, floating in enumerate(worksite.floating):
             if floating is not None:
-                worksite.floating[k] = drifted(flight, state, k, floating)
+                worksite.floating[k] = drifted(flight, worksite, plant, log, k, floating)
                 worksite.update_carrier(site, k)
     else:
         follow_bodies(site, worksite, plant, plant.bodies)
@@ -59,8 +60,11 @@ def update_worksite(flight: Flight, state: State, log: Log, inputs: Inputs) -> N
         way_out_of_contact(flight, state)
     elif worksite.advice is not None:
         worksite.advice = None
-    capture(flight, state, log, inputs)
-    seat(flight, state, log, inputs.latch)
+    in_grasp, attached = worksite.in_grasp, state.script.attached > 0
+    capture(flight, worksite, plant, state.panel, log, inputs, attached=attached)
+    seat(flight, worksite, plant, log, state.tick, inputs.latch)
+    if worksite.in_grasp != in_grasp:
+        state.carried = carried_by(flight.scenario, site, worksite, state.script)
     if worksite.arm_fixed != was_fixed and state.panel.sequence != "in progress":
         # a berth fixed or freed the arm, so CMD CK's verdict no longer applies
         make_ready(flight.scenario.sequences, state)

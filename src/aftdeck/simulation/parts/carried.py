@@ -17,7 +17,7 @@ from aftdeck.steering.rules import Key, rules_of
 
 
 class SteeringSetup(Cache):
-    """Payload in the grasp, and the steering's rules for it; `grasp.update_steering` derives both from the state.
+    """Payload in the grasp, and the steering's rules for it; `grasp.carried_by` derives both from the state.
 
     Attributes:
         payload: payload in the grasp, as the steering uses it; None if the grasp is empty.

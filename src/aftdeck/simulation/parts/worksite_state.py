@@ -132,6 +132,11 @@ class WorksiteState(StatePart):
     halt: Halt = ""
 
     @property
+    def in_grasp(self) -> tuple[int, list[float] | None] | None:
+        """The held payload and its pose as the steering uses it; None if the grasp is empty."""
+        return None if self.held is None else (self.held, self.cargo[self.held].steered)
+
+    @property
     def _addressed(self) -> list[PayloadState]:
         """Payloads to which latching and unlatching refer: the held payload, or all payloads if none is held."""
         return [payload for payload in self.cargo if payload.held] or self.cargo

@@ -5,47 +5,56 @@ from __future__ import annotations
 import numpy as np
 
 from aftdeck.bodies.pose import POSE, compose
+from aftdeck.plant.state import PlantState
 from aftdeck.simulation.constants.flight import Flight
 from aftdeck.simulation.constants.site import Site
 from aftdeck.simulation.inputs import Inputs
 from aftdeck.simulation.log import Log
 from aftdeck.simulation.parts.worksite_state import WorksiteState
-from aftdeck.simulation.payloads.grasp import attach, empty_grasp, update_steering
+from aftdeck.simulation.payloads.grasp import attach, empty_grasp
 from aftdeck.simulation.payloads.mechanism import is_blocked
 from aftdeck.simulation.payloads.seating import stay_or_leave
-from aftdeck.simulation.state import State
+from aftdeck.simulation.state import Panel
 from aftdeck.worksite.capture.effector import EndEffector
 from aftdeck.worksite.capture.snare import Snare
 
 
-def capture(flight: Flight, state: State, log: Log, inputs: Inputs) -> None:
+def capture(
+    flight: Flight,
+    worksite: WorksiteState,
+    plant: PlantState,
+    panel: Panel,
+    log: Log,
+    inputs: Inputs,
+    *,
+    attached: bool,
+) -> None:
     """Capture or release a payload if the conditions are met.
 
     Args:
         flight: constants of the run.
-        state: state at the end of the step, with all frames updated.
+        worksite: state of the worksite at the end of the step, with all frames updated.
+        plant: state of the plant.
+        panel: state of the panel.
         log: log of the step.
         inputs: inputs of this step; the snares are triggered if `inputs.effector` is not None.
+        attached: whether the scenario attaches a payload, so that the end effector cannot move.
     """
-    site, worksite = flight.site, state.worksite
-    k, drawn = None, worksite.snare.drawn
-    if state.script.attached:
+    site, k = flight.site, None
+    if attached:
         _reject_switches(log, inputs)
     elif site.capture is not None:
         k = _move(flight, worksite, log, site.capture, pressed=inputs.effector is not None)
     if k is None:
-        if worksite.snare.drawn == 1.0 != drawn:
-            update_steering(flight, state)
         return
     if worksite.held is None:
         _attach(site, worksite, log, k)
     else:
-        empty_grasp(site, worksite, state.panel, log, k)
-        stay_or_leave(flight, worksite, state.plant, log, k)
+        empty_grasp(site, worksite, panel, log, k)
+        stay_or_leave(flight, worksite, plant, log, k)
         seat = worksite.cargo[k].seat
         where = f"it stays in the {site.berth(seat).title}" if seat else "it is free"
         log.add("released", "info", f"{site.cargo[k].title} released: {where}")
-    update_steering(flight, state)
 
 
 def _reject_switches(log: Log, inputs: Inputs) -> None:

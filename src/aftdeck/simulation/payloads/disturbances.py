@@ -14,13 +14,14 @@ from aftdeck.kinematics.payload import Payload
 from aftdeck.matrices import length, product
 from aftdeck.plant.plant import Push, Pushed
 from aftdeck.scenario.disturbance import ORBITER, SPACE, TIP, Disturbance
+from aftdeck.scenario.model import Scenario
 from aftdeck.scenario.payload import PART
 from aftdeck.simulation.constants.flight import Flight
 from aftdeck.simulation.constants.site import Site
 from aftdeck.simulation.frame import Wrench
 from aftdeck.simulation.inputs import Inputs
 from aftdeck.simulation.log import Log
-from aftdeck.simulation.state import State
+from aftdeck.simulation.state import Script, State
 from aftdeck.tuples import plain_vector
 from aftdeck.worksite.payload import Cargo
 
@@ -32,10 +33,11 @@ def check_disturbances(flight: Flight, state: State, given: Iterable[Disturbance
         InputError: the plant has no forces, a body or a coordinate frame does not exist or cannot move now, or a number
             is not plausible.
     """
+    attached = _attached(flight.scenario, state.script)
     for one in given:
         if wrong := flight.scenario.disturbable.problem(one):
             raise InputError(f"disturbances: {wrong[0]}: {wrong[1]}")
-        if _wrench(flight, state, one, 1.0) is None:
+        if _wrench(flight, state.worksite.frames, state.plant.base, attached, one, 1.0) is None:
             raise InputError(f"disturbances: on {one.on!r}, in the axes of {one.frame!r}: no payload is attached now")
 
 
@@ -57,20 +59,25 @@ def disturb(flight: Flight, state: State, log: Log, inputs: Inputs) -> None:
 
 
 def _acting(flight: Flight, state: State, inputs: Inputs) -> Iterator[Wrench]:
-    period = flight.scenario.control_period
-    time = (state.tick - 1) * period
+    frames, base, period = state.worksite.frames, state.plant.base, flight.scenario.control_period
+    attached, time = _attached(flight.scenario, state.script), (state.tick - 1) * period
     given = [(one, 1.0) for one in inputs.disturbances]
     given += [(one.disturbance, one.share(time, period)) for one in flight.scenario.disturbances]
     for disturbance, share in given:
-        if share > 0.0 and (wrench := _wrench(flight, state, disturbance, share)) is not None:
+        if share > 0.0 and (wrench := _wrench(flight, frames, base, attached, disturbance, share)) is not None:
             yield wrench
 
 
-def _wrench(flight: Flight, state: State, given: Disturbance, share: float) -> Wrench | None:
+def _attached(scenario: Scenario, script: Script) -> Payload | None:
+    """Return the scenario's own payload that is attached now; None if none is."""
+    return scenario.own_payloads[script.attached - 1] if script.attached else None
+
+
+def _wrench(
+    flight: Flight, frames: Array, base: Array, attached: Payload | None, given: Disturbance, share: float
+) -> Wrench | None:
     """Return a disturbance in L; None if it needs the scenario's own payload, and none is attached."""
-    number, frames = state.script.attached, state.worksite.frames
-    attached = flight.scenario.own_payloads[number - 1] if number else None
-    axes = _axes(flight, frames, state.plant.base, attached, given.frame)
+    axes = _axes(flight, frames, base, attached, given.frame)
     place = _place(flight, frames, attached, given)
     if axes is None or place is None:
         return None

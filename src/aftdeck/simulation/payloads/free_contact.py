@@ -17,9 +17,9 @@ from aftdeck.plant.state import PlantState
 from aftdeck.simulation.constants.flight import Flight
 from aftdeck.simulation.constants.site import Site
 from aftdeck.simulation.frame_poses import frames_with_prong_at
+from aftdeck.simulation.log import Log
 from aftdeck.simulation.parts.free_flight import Floating
 from aftdeck.simulation.parts.worksite_state import WorksiteState
-from aftdeck.simulation.state import State
 from aftdeck.worksite.conditions import quantity_text
 from aftdeck.worksite.file.check import ARM
 from aftdeck.worksite.watch.clearance_monitor import ClearanceMonitor
@@ -34,29 +34,33 @@ The body stops before the contact, at a distance of at most 1/256 of the step's 
 """
 
 
-def drifted(flight: Flight, state: State, k: int, floating: Floating) -> Floating:
+def drifted(
+    flight: Flight, worksite: WorksiteState, plant: PlantState, log: Log, k: int, floating: Floating
+) -> Floating:
     """Return the free flight of a payload one control period later, stopped or reflected if the payload touches a part.
 
     If no part is near, `floating` itself is moved and returned.
 
     Args:
         flight: constants of the run.
-        state: state in which everything else has already moved in this step.
+        worksite: state of the worksite, in which everything else has already moved in this step.
+        plant: state of the plant after its motion.
+        log: log of the step.
         k: the payload.
         floating: the payload's free flight before this step.
     """
-    site, worksite, period = flight.site, state.worksite, flight.scenario.control_period
+    site, period = flight.site, flight.scenario.control_period
     if not measured(worksite.watch.found, site.of_cargo[k]):  # no part is near enough to touch in this step
         floating.move(period)
         floating.met = False
         return floating
     after = floating.moved(period)
-    here = looked_at(worksite.watch, _frames(site, worksite, state.plant, k, floating))
-    group = worst_new_contact(here, site.of_cargo[k], _frames(site, worksite, state.plant, k, after))
+    here = looked_at(worksite.watch, _frames(site, worksite, plant, k, floating))
+    group = worst_new_contact(here, site.of_cargo[k], _frames(site, worksite, plant, k, after))
     if group < 0:
         after.met = False
         return after
-    return _stopped(flight, state, k, floating, here, group)
+    return _stopped(flight, worksite, plant, log, k, floating, here, group)
 
 
 @law
@@ -74,12 +78,15 @@ def _frames(site: Site, worksite: WorksiteState, plant: PlantState, k: int, floa
     return frames_with_prong_at(site, worksite, plant, worksite.prong.position)
 
 
-def _stopped(flight: Flight, state: State, k: int, floating: Floating, here: ClearanceMonitor, group: int) -> Floating:
+def _stopped(
+    flight: Flight, worksite: WorksiteState, plant: PlantState, log: Log, k: int, floating: Floating,
+    here: ClearanceMonitor, group: int,
+) -> Floating:  # fmt: skip
     """Return the free flight of payload k after the contact of pair `group` has stopped or reflected it.
 
     A contact that did not exist in the last step is logged.
     """
-    site, worksite, plant, period = flight.site, state.worksite, state.plant, flight.scenario.control_period
+    site, period = flight.site, flight.scenario.control_period
     free, share = 0.0, 0.5
     for _ in range(0 if floating.met else HALVINGS):
         later = _frames(site, worksite, plant, k, floating.moved((free + share) * period))
@@ -108,7 +115,7 @@ def _stopped(flight: Flight, state: State, k: int, floating: Floating, here: Cle
         speed = quantity_text(approach + sweep, "m", flight.scenario.arm.model.units) + "/s"
         done = "is reflected" if reflects else "stops"
         text = f"{own_part} touches {other_part} at {speed} and {done}; impulse unknown"
-        state.log(period).add("bump", "caution", text)
+        log.add("bump", "caution", text)
     stopped.met = True
     return stopped
 

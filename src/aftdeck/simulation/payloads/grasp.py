@@ -12,14 +12,15 @@ from aftdeck.bodies.pose import POSE, compose, relative
 from aftdeck.kinematics.payload import PACKED, Payload
 from aftdeck.matrices import product
 from aftdeck.plant.state import PlantState
+from aftdeck.scenario.model import Scenario
 from aftdeck.simulation.constants.flight import Flight
 from aftdeck.simulation.constants.site import Site
 from aftdeck.simulation.log import Log
-from aftdeck.simulation.parts.carried import steering_setup
+from aftdeck.simulation.parts.carried import SteeringSetup, steering_setup
 from aftdeck.simulation.parts.free_flight import floating
 from aftdeck.simulation.parts.worksite_state import WorksiteState
 from aftdeck.simulation.payloads.hand_poses import payload_in_hand
-from aftdeck.simulation.state import Panel, State
+from aftdeck.simulation.state import Panel, Script
 from aftdeck.steering.mode import MODES
 from aftdeck.worksite.capture.snare import RIGID, Snare
 from aftdeck.worksite.watch.motion import motion
@@ -49,21 +50,21 @@ def reset_grasp(site: Site, worksite: WorksiteState, k: int) -> None:
         payload.drawn_at_capture = worksite.snare.drawn
 
 
-def update_steering(flight: Flight, state: State) -> None:
-    """Set up the steering for the payload in the grasp, with the rate limits of the script's phase.
+def carried_by(scenario: Scenario, site: Site, worksite: WorksiteState, script: Script) -> SteeringSetup:
+    """Return the steering's setup for the payload in the grasp, with the rate limits of the script's phase.
 
-    To be called after a change of `PayloadState.steered`, of `Script.attached` or of `Script.limits`.
+    `State.carried` has to be set to it after a change of `PayloadState.steered`, `Script.attached` or `Script.limits`.
 
     The steering uses the mass and the axes of a worksite payload. The payload's centre is the point of resolution.
     """
-    scenario, script, payload = flight.scenario, state.script, None
-    for k, worksite_payload in enumerate(state.worksite.cargo):
+    payload = None
+    for k, worksite_payload in enumerate(worksite.cargo):
         if worksite_payload.held:
-            payload = _payload(flight.site, k, np.array(worksite_payload.steered))
+            payload = _payload(site, k, np.array(worksite_payload.steered))
     if script.attached:
         payload = scenario.own_payloads[script.attached - 1]
     limits = scenario.phases[script.limits].limits if script.limits >= 0 else None
-    state.carried = steering_setup(scenario, payload, limits)
+    return steering_setup(scenario, payload, limits)
 
 
 def set_effector(flight: Flight, worksite: WorksiteState, *, holding: bool) -> None:

@@ -19,19 +19,23 @@ from aftdeck.simulation.constants.flight import Flight
 from aftdeck.simulation.constants.site import Site
 from aftdeck.simulation.log import Log
 from aftdeck.simulation.parts.worksite_state import WorksiteState
-from aftdeck.simulation.payloads.grasp import reset_grasp, start_free_flight, update_steering
+from aftdeck.simulation.payloads.grasp import reset_grasp, start_free_flight
 from aftdeck.simulation.payloads.latch_command import NEAR, Pressed, addressed, confirmed, nearest_berth
 from aftdeck.simulation.payloads.mechanism import is_blocked
-from aftdeck.simulation.state import State
 from aftdeck.worksite.berths.berth import Fit
 from aftdeck.worksite.berths.latches import OPEN, SHUT, Latches, advance
 from aftdeck.worksite.conditions import Condition, Units, all_hold, failure_text, quantity_text
 from aftdeck.worksite.draw_in import remaining
 
 
-def seat(flight: Flight, state: State, log: Log, pressed: Pressed | None) -> None:
-    """Fix payloads to berths that close by themselves, move latches, and execute LATCH or UNLATCH (`pressed`)."""
-    site, worksite = flight.site, state.worksite
+def seat(
+    flight: Flight, worksite: WorksiteState, plant: PlantState, log: Log, tick: int, pressed: Pressed | None
+) -> None:
+    """Fix payloads to berths that close by themselves, move latches, and execute LATCH or UNLATCH (`pressed`).
+
+    `tick` is the number of the control step.
+    """
+    site = flight.site
     index = addressed(site, worksite, pressed)
     answer: str | None = None
     for k, payload in enumerate(worksite.cargo):
@@ -39,7 +43,7 @@ def seat(flight: Flight, state: State, log: Log, pressed: Pressed | None) -> Non
         if payload.seat and own is None and not payload.latches.motion:
             continue
         if payload.seat:
-            found = _update_fixed(flight, state, log, k, own)
+            found = _update_fixed(flight, worksite, plant, log, tick, k, own)
         elif payload.held or own is not None:
             found = _update_unfixed(flight, worksite, log, k, own)
         else:
@@ -131,13 +135,15 @@ def _update_unfixed(flight: Flight, worksite: WorksiteState, log: Log, k: int, p
     return ""
 
 
-def _update_fixed(flight: Flight, state: State, log: Log, k: int, pressed: Pressed | None) -> str | None:
+def _update_fixed(
+    flight: Flight, worksite: WorksiteState, plant: PlantState, log: Log, tick: int, k: int, pressed: Pressed | None
+) -> str | None:
     """Update a payload that is fixed to a berth: continue or reverse the latches, or undock the payload.
 
     Returns:
         Answer to `pressed` for this payload: "", the reason for a rejection, or None, as in `_update_unfixed`.
     """
-    site, worksite, period = flight.site, state.worksite, flight.scenario.control_period
+    site, period = flight.site, flight.scenario.control_period
     payload, title = worksite.cargo[k], site.cargo[k].title
     fit = site.fit(k, payload.seat)
     assert fit is not None, "a fixed payload has a berth"
@@ -150,14 +156,13 @@ def _update_fixed(flight: Flight, state: State, log: Log, k: int, pressed: Press
     if berth.instant:
         if pressed != "unlatch":
             return f"{title} is {'docked' if berth.docks else 'latched'} already" if pressed else None
-        if confirmed(payload, state.tick, period, log, only):
-            _unfix(flight, worksite, state.plant, log, k, fit)
-            update_steering(flight, state)
+        if confirmed(payload, tick, period, log, only):
+            _unfix(flight, worksite, plant, log, k, fit)
         return ""
     before = payload.latches
     opens = pressed == "unlatch" and before.hold
     command: Pressed | Literal[""] = pressed or ""
-    if opens and not confirmed(payload, state.tick, period, log, only):
+    if opens and not confirmed(payload, tick, period, log, only):
         command = ""
     after, lines = advance(before, berth.time, command, period, (), flight.scenario.arm.model.units)
     seated, blocked = payload.offset_in_seat, False
@@ -177,8 +182,7 @@ def _update_fixed(flight: Flight, state: State, log: Log, k: int, pressed: Press
         motion = "closing" if payload.latches.motion == "latch" else "opening"
         log.add(payload.latches.motion, "info", f"latches of the {berth.title} {motion}")
     if not payload.latches.hold:
-        _unfix(flight, worksite, state.plant, log, k, fit)
-        update_steering(flight, state)
+        _unfix(flight, worksite, plant, log, k, fit)
     return "" if pressed else None
 
 
