@@ -63,6 +63,9 @@ class GuidesFile(Table, frozen=True, kw_only=True):
 class RetentionFile(BerthTable, frozen=True, kw_only=True, tag="retention"):
     """A berth in the bay. Its position and rotation equal those of a payload that is fixed in the berth."""
 
+    latch: Literal["auto", "command"]
+    """Event at which the berth fixes a payload that meets the conditions. ``auto``: the end effector releases the
+    payload. ``command``: LATCH."""
     guides: GuidesFile | None = None
     """V-guides. A berth with V-guides holds only payloads that have trunnions."""
 

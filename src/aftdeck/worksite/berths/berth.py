@@ -54,10 +54,6 @@ class BerthTable(Placed, frozen=True, kw_only=True, tag_field="kind"):
     name: Text
     title: Text
     body: Text
-    latch: Literal["auto", "command"]
-    """Event at which a bay berth fixes a payload that meets the conditions. ``auto``: the end effector releases the
-    payload. ``command``: a command is given. A port fixes a payload as soon as the conditions hold, without a
-    command."""
     time: Time = Time(0.0)
     """Time that the latches take to close or to release."""
     distance: Length

@@ -38,6 +38,8 @@ class PortFile(BerthTable, frozen=True, kw_only=True, tag="port"):
     Its centre is on a face of a solid. Its axes equal the axes of a docked payload; x points outwards.
     """
 
+    latch: Literal["auto", "command"]
+    """Without effect: a port always fixes a payload as soon as the conditions hold."""
     radius: Length
     """Radius of the disc that marks the port."""
     material: Material
