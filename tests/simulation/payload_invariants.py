@@ -51,7 +51,7 @@ def moved(one: tuple[Array, Array], other: tuple[Array, Array]) -> tuple[float, 
 
 def check_possession(scenario: Scenario, frames: list[Frame]) -> None:
     """Check every frame, and the motion of each payload in every step."""
-    names = [cargo.name for cargo in scenario.cargo]
+    names = [cargo.name for cargo in scenario.payloads]
     for frame in frames:
         check_frame(names, frame)
     for before, now in in_turn(frames):

@@ -17,8 +17,8 @@ from aftdeck.frames import Pose, rotation_x, rotation_y, rotation_z
 from aftdeck.units import INCH
 from aftdeck.worksite.berths.berthing import (
     OFFSET,
+    BerthTolerances,
     Guide,
-    SeatTolerances,
     in_guides,
     offsets,
     prepare,
@@ -30,7 +30,7 @@ from aftdeck.worksite.berths.latches import Latches, advance
 from aftdeck.worksite.conditions import Condition, all_hold, condition_text, failing, rejection_text
 from aftdeck.worksite.log_line import LogLine
 
-TOLERANCES = SeatTolerances(0.05, radians(1.0))
+TOLERANCES = BerthTolerances(0.05, radians(1.0))
 HEIGHT, HALF_ANGLE, THROAT, PLAY = 24.0 * INCH, radians(17.0), 0.02, 0.05
 PORT = Guide("forward port", (1.0, -2.386, 0.36), (0.0, 0.0, 1.0), (1.0, 0.0, 0.0), HALF_ANGLE, HEIGHT, THROAT, PLAY)
 STARBOARD = msgspec.structs.replace(PORT, name="aft starboard", seat=(4.0, 2.386, 0.36))

@@ -22,12 +22,12 @@ from aftdeck.bodies.solid import Solid
 from aftdeck.files import Problem, Where
 from aftdeck.frames import IDENTITY, Pose
 from aftdeck.scenario.on_arm import arm_solids
-from aftdeck.scenario.relative import at_cargo, composed, inverted, scene_in_l
-from aftdeck.scenario.target import AtCargo
+from aftdeck.scenario.relative import at_payload, composed, inverted, scene_in_l
+from aftdeck.scenario.target import AtPayload
 from aftdeck.worksite.capture.bar import BarFile
 from aftdeck.worksite.conditions import Units, quantity_text
 from aftdeck.worksite.model import Worksite
-from aftdeck.worksite.payload import Cargo, part_of
+from aftdeck.worksite.payload import Payload, part_of
 
 Parts = dict[str, list[Array]]
 """Hexahedra (8, 3) [m], by the part to which they belong."""
@@ -49,27 +49,27 @@ class Misfit(NamedTuple):
 
 
 def misfits(
-    model: ArmModel, worksite: Worksite, cargo: Sequence[Cargo], used: frozenset[str], held: frozenset[int]
+    model: ArmModel, worksite: Worksite, payloads: Sequence[Payload], used: frozenset[str], held: frozenset[int]
 ) -> Iterator[Misfit]:
     """Yield every misfit of a scenario.
 
     Args:
         model: the arm.
         worksite: the worksite.
-        cargo: payloads that are present, in the order of the scenario's file.
+        payloads: payloads that are present, in the order of the scenario's file.
         used: names of the berths to which the script brings payloads.
         held: indices of the payloads that the end effector holds in every initial state; the start poses of these
             payloads are not used.
     """
     around = parts_at(worksite.solids, IDENTITY)
     yield from _telescope_misfits(model, worksite, around)
-    for k, payload in enumerate(cargo):
+    for k, payload in enumerate(payloads):
         where: Where = ("cargo", k)
-        if not payload.start.seat and k not in held:
+        if not payload.start.berth and k not in held:
             own_parts = parts_at(payload.solids, payload.start.pose)
             for overlap in _overlaps(own_parts, around, model.units):
                 yield Misfit(Problem(where, f"{payload.name} starts where {overlap}"), True)
-        for i, other in enumerate(cargo[:k]):
+        for i, other in enumerate(payloads[:k]):
             if held & {i, k}:
                 continue
             for overlap in _overlaps(
@@ -84,7 +84,7 @@ def misfits(
 def _berth_misfits(
     model: ArmModel,
     worksite: Worksite,
-    payload: Cargo,
+    payload: Payload,
     where: Where,
     around: Parts,
     used: frozenset[str],
@@ -100,7 +100,7 @@ def _berth_misfits(
         if berth.lacks(payload.probe, payload.trunnions):
             continue
         pose = berth.seated(payload.probe)
-        senseless = berth.name in used or berth.name == payload.start.seat
+        senseless = berth.name in used or berth.name == payload.start.berth
         if overlaps := "; ".join(_overlaps(parts_at(payload.solids, pose), around, model.units)):
             yield Misfit(Problem(where, f"{payload.name} in the berth {berth.name!r}: {overlaps}"), senseless)
         for prong_state, hand in hands_at_bar.items():
@@ -125,7 +125,7 @@ def _telescope_misfits(model: ArmModel, worksite: Worksite, around: Parts) -> It
             yield Misfit(Problem(("arm",), f"with the shoulder {height} up, {overlap}"), True)
 
 
-def _bar_errors(model: ArmModel, worksite: Worksite, payload: Cargo) -> Iterator[str]:
+def _bar_errors(model: ArmModel, worksite: Worksite, payload: Payload) -> Iterator[str]:
     """Yield the reasons why a prong can never acquire a payload's bar, or can never release it."""
     rule, prong, bar, units = worksite.acquisition, model.equipment.prong, payload.receptacle, model.units
     if prong is None or not isinstance(rule, BarFile) or bar is None:
@@ -162,7 +162,7 @@ def _bar_errors(model: ArmModel, worksite: Worksite, payload: Cargo) -> Iterator
         )
 
 
-def _hand_overlaps(model: ArmModel, worksite: Worksite, payload: Cargo) -> Iterator[str]:
+def _hand_overlaps(model: ArmModel, worksite: Worksite, payload: Payload) -> Iterator[str]:
     """Yield the overlaps of the end effector with a payload when the end effector is at the payload's bar.
 
     Overlaps with the bar itself are not checked, because the bar need not be at the palm's centre when the bar is
@@ -175,7 +175,7 @@ def _hand_overlaps(model: ArmModel, worksite: Worksite, payload: Cargo) -> Itera
             yield f"the end effector, {prong_state}, at the bar of {payload.name}: {overlap}"
 
 
-def hands(model: ArmModel, worksite: Worksite, payload: Cargo) -> Mapping[str, Parts]:
+def hands(model: ArmModel, worksite: Worksite, payload: Payload) -> Mapping[str, Parts]:
     """Return the parts of the concept arm's end effector at a payload's bar, in the payload's axes.
 
     The keys of the result are "open", for the open prong, and "closed", for the prong closed on the bar. The result is
@@ -184,7 +184,7 @@ def hands(model: ArmModel, worksite: Worksite, payload: Cargo) -> Mapping[str, P
     rule, hand = worksite.acquisition, model.equipment.prong
     if hand is None or not isinstance(rule, BarFile) or payload.receptacle is None:
         return {}
-    tip = at_cargo(model, payload, AtCargo(0, above=0.5 * rule.window))
+    tip = at_payload(model, payload, AtPayload(0, above=0.5 * rule.window))
     joint = composed(tip, Pose(-model.linkage.tip, np.eye(3)))
     last = model.linkage.frames[-1]
     hand_solids = [solid for solid in arm_solids(model, worksite) if solid.frame == last]

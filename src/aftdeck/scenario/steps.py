@@ -156,7 +156,7 @@ def _cameras(
 ) -> tuple[str, ...]:
     if spec.cameras is None or references.worksite is None:
         return ()
-    names = [camera.name for camera in present_cameras(arm.model, references.worksite, references.cargo)]
+    names = [camera.name for camera in present_cameras(arm.model, references.worksite, references.payloads)]
     for i, name in enumerate(spec.cameras):
         if name not in names:
             problems.add((*where, i), f"no camera {name!r}: cameras are {', '.join(names)}")

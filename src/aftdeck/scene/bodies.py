@@ -21,5 +21,5 @@ def bodies_of(scenario: Scenario) -> tuple[Body, ...]:
     bodies += [Body(name, shapes) for name, shapes in arm_shapes(scenario.arm.model, scenario.worksite).items()]
     if draws_payload(scenario) and scenario.payload is not None:
         bodies.append(Body(PAYLOAD, scenario.payload.shapes))
-    bodies += [Body(payload.name, payload.shapes) for payload in scenario.cargo]
+    bodies += [Body(payload.name, payload.shapes) for payload in scenario.payloads]
     return tuple(bodies)

@@ -69,7 +69,7 @@ def _misfits(flight: Flight, worksite: WorksiteState, name: str) -> Iterator[str
     units = flight.scenario.arm.model.units
     k = worksite.held
     if k is not None and (why := failure_text(holding(flight.site, worksite, k), units)):
-        yield f"{name}.grasped: {flight.site.cargo[k].title} cannot have been captured in this pose: {why}"
+        yield f"{name}.grasped: {flight.site.payloads[k].title} cannot have been captured in this pose: {why}"
     if not flight.plant.has_contact_forces:
         return
     overlaps = [
@@ -129,12 +129,12 @@ def _set_to_start(flight: Flight, state: State, start: Start) -> None:
     state.steering[RATES : RATES + joints], state.steering[TWIST : TWIST + 6] = start.rates, state.observed[12:18]
     state.measure()
     frames = worksite.frames
-    for k, payload in enumerate(site.cargo):
+    for k, payload in enumerate(site.payloads):
         pose = np.empty(POSE)
         compose(site.scene, site.starts[k], pose)
-        if payload.start.seat:
-            worksite.cargo[k].seat, worksite.cargo[k].latches = payload.start.seat, SHUT
-            worksite.cargo[k].offset_at_fixing = worksite.cargo[k].offset_in_seat = list(HERE)
+        if payload.start.berth:
+            worksite.payloads[k].berth, worksite.payloads[k].latches = payload.start.berth, SHUT
+            worksite.payloads[k].offset_at_fixing = worksite.payloads[k].offset_in_berth = list(HERE)
         else:
             velocity = product(site.scene[3:].reshape(3, 3), payload.start.velocity)
             control = payload.limit_cycle
@@ -146,11 +146,11 @@ def _set_to_start(flight: Flight, state: State, start: Start) -> None:
         set_effector(flight, worksite, holding=True)
         frames[:] = frames_with_prong_at(site, worksite, plant, worksite.prong.position)
     if start.grasped is not None:
-        k = start.grasped.cargo
+        k = start.grasped.payload
         set_effector(flight, worksite, holding=True)
         angles, stand = start.grasped.angles, start.grasped.stand
         frames[:] = frames_at(site, worksite, plant, angles, stand, worksite.prong.position)
-        worksite.cargo[k].seat, worksite.cargo[k].released_from = "", worksite.cargo[k].seat
+        worksite.payloads[k].berth, worksite.payloads[k].released_from = "", worksite.payloads[k].berth
         attach(site, worksite, k)
         state.carried = carried_by(flight.scenario, flight.site, state.worksite, state.script)
         frames[:] = frames_with_prong_at(site, worksite, plant, worksite.prong.position)
@@ -158,7 +158,7 @@ def _set_to_start(flight: Flight, state: State, start: Start) -> None:
     motions = np.array([np.zeros(6) if one is None else one.motion for one in worksite.floating]).reshape(-1, 6)
     flight.plant.begin(plant, state.script.attached, poses, motions, worksite.prong.position)
     if plant.bodies is not None:
-        for k, one in enumerate(worksite.cargo):
+        for k, one in enumerate(worksite.payloads):
             plant.bodies.held_for[k] = [math.inf if by else 0.0 for by in held_by(site, one)]
     worksite.before[:] = frames
     worksite.monitored_before[:] = worksite.watch.active

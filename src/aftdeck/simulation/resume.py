@@ -33,7 +33,7 @@ def resume(flight: Flight, saved: bytes) -> State:
         ClearanceMonitor: lambda: ClearanceMonitor(flight.site.layout),
     }
     like = new_state(flight, nothing)
-    payloads = len(flight.site.cargo)
+    payloads = len(flight.site.payloads)
     flight.plant.begin(like.plant, 0, np.tile(HERE, (payloads, 1)), np.zeros((payloads, 6)), 0.0)
     state = decoded(like, saved, lambda kind: empty[kind]())
     state.carried = carried_by(flight.scenario, flight.site, state.worksite, state.script)

@@ -19,12 +19,12 @@ from aftdeck.simulation.operator.panel import make_ready
 from aftdeck.simulation.parts.worksite_state import WorksiteState
 from aftdeck.simulation.payloads.capture import capture
 from aftdeck.simulation.payloads.contact_log import log_contacts
+from aftdeck.simulation.payloads.fixing import seat
 from aftdeck.simulation.payloads.forces import watch_forces
 from aftdeck.simulation.payloads.free_contact import drifted
 from aftdeck.simulation.payloads.grasp import carried_by
 from aftdeck.simulation.payloads.jets import translation_rejection
 from aftdeck.simulation.payloads.relations import permitted
-from aftdeck.simulation.payloads.seating import seat
 from aftdeck.simulation.payloads.surroundings import follow_bodies
 from aftdeck.simulation.payloads.task_phases import change_task
 from aftdeck.simulation.state import State

@@ -4,6 +4,6 @@ from aftdeck.worksite.berths.berth import Berth
 from aftdeck.worksite.body import Body
 from aftdeck.worksite.file.load import load_worksite, worksites
 from aftdeck.worksite.model import Worksite
-from aftdeck.worksite.payload import Cargo
+from aftdeck.worksite.payload import Payload
 
-__all__ = ["Berth", "Body", "Cargo", "Worksite", "load_worksite", "worksites"]
+__all__ = ["Berth", "Body", "Payload", "Worksite", "load_worksite", "worksites"]

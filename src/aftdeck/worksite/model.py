@@ -22,7 +22,7 @@ from aftdeck.tuples import Vec3
 from aftdeck.worksite.berths.berth import Berth
 from aftdeck.worksite.body import Body
 from aftdeck.worksite.capture.effector import CaptureTable
-from aftdeck.worksite.payload import Cargo
+from aftdeck.worksite.payload import Payload
 from aftdeck.worksite.relation import Essential
 
 OrbiterMotion = Literal["free", "held", "fixed"]
@@ -113,7 +113,7 @@ class Worksite(msgspec.Struct, frozen=True, eq=False):
     mounted: dict[str, Mounted]
     """Housings of cameras on an arm, by the name of the arm's frame."""
     berths: tuple[Berth, ...]
-    cargoes: tuple[Cargo, ...]
+    payloads: tuple[Payload, ...]
     """Available payloads; a scenario names the payloads that are present."""
     essential: tuple[Essential, ...]
     """Pairs of parts that the task brings into contact. In some pairs, one part belongs to the arm."""

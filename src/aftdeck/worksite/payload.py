@@ -18,7 +18,7 @@ name and the fitting's name."""
 class Start(msgspec.Struct, frozen=True, eq=False):
     """Position and motion of a payload at the start."""
 
-    seat: str
+    berth: str
     """Name of the berth that holds the payload; empty if the payload is free."""
     pose: Pose
     """Pose in the scene at the start, also if the payload starts in a berth."""
@@ -39,7 +39,7 @@ class LimitCycle(msgspec.Struct, frozen=True, eq=False):
     """(3,) angles at time 0, each within its deadband [rad]."""
 
 
-class Cargo(msgspec.Struct, frozen=True, eq=False):
+class Payload(msgspec.Struct, frozen=True, eq=False):
     """A payload. The origin of its own frame is at its body's centre.
 
     The x axis is along the body. In the bay berth it points aft, and the z axis points up.
@@ -85,6 +85,6 @@ class Cargo(msgspec.Struct, frozen=True, eq=False):
         return MassProperties(self.mass, self.centre_of_mass, self.inertia)
 
 
-def part_of(cargo: str, fitting: str) -> str:
+def part_of(payload: str, fitting: str) -> str:
     """Return the name of a part of a payload; the body has the name of the payload."""
-    return f"{cargo} {fitting}" if fitting else cargo
+    return f"{payload} {fitting}" if fitting else payload

@@ -44,7 +44,7 @@ class Meeting:
 
     Attributes:
         group: index of the pair in the layout.
-        cargo: index of the payload to which one of the parts belongs.
+        payload: index of the payload to which one of the parts belongs.
         relation: name of the relative position in which the two parts may touch.
         depth: permitted penetration depth, and permitted distance past the plane of contact, such as a port's face [m].
         pairs: (m, 2) the pairs of the two parts' solids.
@@ -52,7 +52,7 @@ class Meeting:
     """
 
     group: int
-    cargo: int
+    payload: int
     relation: Relation
     depth: float
     pairs: Indices

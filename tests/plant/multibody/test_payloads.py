@@ -197,9 +197,9 @@ def test_greatest_force_of_a_capture_is_logged(plant: str) -> None:
 
 
 def test_mass_of_a_scenario_scales_the_inertia_and_inertia_replaces_it() -> None:
-    own, heavy = (scenario("rigid", [{"name": "payload", "mass": mass}]).cargo[0] for mass in (1000.0, 3000.0))
+    own, heavy = (scenario("rigid", [{"name": "payload", "mass": mass}]).payloads[0] for mass in (1000.0, 3000.0))
     assert heavy.inertia == pytest.approx(3.0 * own.inertia)
-    given = scenario("rigid", [{"name": "payload", "inertia": [100.0, 200.0, 250.0]}]).cargo[0]
+    given = scenario("rigid", [{"name": "payload", "inertia": [100.0, 200.0, 250.0]}]).payloads[0]
     assert given.inertia == pytest.approx(np.diag([100.0, 200.0, 250.0]))
     with pytest.raises(ScenarioError, match=r"cargo\[0\].inertia"):
         scenario("rigid", [{"name": "payload", "inertia": [100.0, 200.0, 350.0]}])

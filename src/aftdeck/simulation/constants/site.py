@@ -22,7 +22,7 @@ from aftdeck.scenario.payload import PART
 from aftdeck.worksite.berths.berth import Berth, Fit
 from aftdeck.worksite.capture.effector import EndEffector, MadeFor
 from aftdeck.worksite.model import Worksite
-from aftdeck.worksite.payload import Cargo, part_of
+from aftdeck.worksite.payload import Payload, part_of
 from aftdeck.worksite.relation import ALIGNED, Meeting
 from aftdeck.worksite.watch.groups import CENTRE, Layout, PartPair, layout_of
 from aftdeck.worksite.watch.pairs import among, part_pairs
@@ -43,7 +43,7 @@ class Site:
 
     Attributes:
         worksite: the worksite as its file describes it.
-        cargo: the payloads at the worksite.
+        payloads: the payloads at the worksite.
         arm: the arm's frames.
         layout: solids and monitored pairs.
         essential: (g,) 1 for pairs that the task brings into contact.
@@ -53,7 +53,7 @@ class Site:
             touch.
         by_arm: (g,) 1 for pairs with a part of the arm.
         by_prong: (g,) 1 for pairs with the prong; all 0 for an arm without a prong.
-        of_cargo: for each payload, (g,) 1 for pairs with a part of the payload.
+        of_payload: for each payload, (g,) 1 for pairs with a part of the payload.
         held: for each payload, (g,) 1 for its pairs with the end effector. These pairs are not monitored while the end
             effector holds the payload.
         not_held: for each payload, (g,) 0 for these pairs, and 1 for all others.
@@ -78,7 +78,7 @@ class Site:
     """
 
     worksite: Worksite
-    cargo: tuple[Cargo, ...]
+    payloads: tuple[Payload, ...]
     arm: Frames
     layout: Layout
     essential: Mask
@@ -87,7 +87,7 @@ class Site:
     meeting_aligns: Mask
     by_arm: Mask
     by_prong: Mask
-    of_cargo: tuple[Mask, ...]
+    of_payload: tuple[Mask, ...]
     held: tuple[Mask, ...]
     not_held: tuple[Mask, ...]
     seated: dict[tuple[int, str], Mask]
@@ -125,7 +125,7 @@ class Site:
         """
         return permitted if sliding is None else permitted | self.slides[sliding]
 
-    def cargo_row(self, index: int) -> int:
+    def payload_row(self, index: int) -> int:
         """Return the row of a payload's frame."""
         return self.space_row + 1 + index
 
@@ -145,9 +145,9 @@ class Site:
 @lru_cache(maxsize=8)
 def site_of(scenario: Scenario) -> Site:
     """Return the worksite constants of a scenario; for a scenario that was asked for before, the same constants."""
-    model, worksite, cargo = scenario.arm.model, scenario.worksite, scenario.cargo
+    model, worksite, payloads = scenario.arm.model, scenario.worksite, scenario.payloads
     arm = frames_of(model)
-    frames = ("orbiter", *arm.names, "space", *(payload.name for payload in cargo))
+    frames = ("orbiter", *arm.names, "space", *(payload.name for payload in payloads))
     own, held = arm_solids(model, worksite), _attached_solids(scenario)
     solids = all_solids(scenario)
     foot, *joints = model.linkage.frames
@@ -158,14 +158,14 @@ def site_of(scenario: Scenario) -> Site:
     attached = {(part, solid.part) for part in hand for solid in held}
     layout = layout_of(frames, solids, part_pairs(solids, chain, mounted | attached | _unfoldable_pairs(model, own)))
     own_parts = {solid.part for solid in own}
-    parts = [{solid.part for solid in payload.solids} for payload in cargo]
+    parts = [{solid.part for solid in payload.solids} for payload in payloads]
     by_arm = np.zeros(len(layout.groups), np.uint8)
     if own_parts:
         by_arm = layout.carried(arm.names)
-    meetings = _meetings(worksite, layout, cargo)
+    meetings = _meetings(worksite, layout, payloads)
     essential = np.zeros(len(layout.groups), np.uint8)
     essential[[meeting.group for meeting in meetings]] = 1
-    of_cargo = tuple(layout.carried([payload.name]) for payload in cargo)
+    of_payload = tuple(layout.carried([payload.name]) for payload in payloads)
     with_hand = tuple(layout.between(hand, own_parts) for own_parts in parts)
     walls = [solid.part for solid in worksite.solids if solid.frame == "orbiter"]
     fits = tuple(
@@ -174,15 +174,15 @@ def site_of(scenario: Scenario) -> Site:
             for berth in worksite.berths
             if not berth.lacks(payload.probe, payload.trunnions)
         )
-        for payload in cargo
+        for payload in payloads
     )
     effector = row_of(Pose(model.linkage.tip, rotation_x(model.end_effector_roll)))
     rows = tuple(range(2 + len(arm.names), len(frames)))
     hand_row = arm.names.index(model.linkage.frames[-1]) + 1
-    made_for = MadeFor(model, cargo, [solid.part for solid in solids], hand_row, effector, rows)
+    made_for = MadeFor(model, payloads, [solid.part for solid in solids], hand_row, effector, rows)
     return Site(
         worksite=worksite,
-        cargo=cargo,
+        payloads=payloads,
         arm=arm,
         layout=layout,
         essential=essential,
@@ -191,7 +191,7 @@ def site_of(scenario: Scenario) -> Site:
         meeting_aligns=np.array([meeting.relation in ALIGNED for meeting in meetings], dtype=np.uint8),
         by_arm=by_arm,
         by_prong=layout.carried([PRONG]) if PRONG in arm.names else np.zeros_like(by_arm),
-        of_cargo=of_cargo,
+        of_payload=of_payload,
         held=with_hand,
         not_held=tuple(1 - pairs for pairs in with_hand),
         seated={
@@ -209,21 +209,21 @@ def site_of(scenario: Scenario) -> Site:
         fits=fits,
         berth_rows=tuple(np.array([fit.row for fit in own], dtype=np.int64) for own in fits),
         berth_places=tuple(np.array([fit.place for fit in own]).reshape(-1, POSE) for own in fits),
-        starts=tuple(row_of(payload.start.pose) for payload in cargo),
+        starts=tuple(row_of(payload.start.pose) for payload in payloads),
         slides=tuple(layout.between(own_parts, walls) for own_parts in parts),
-        bodies=tuple(np.flatnonzero(layout.frame == frames.index(one.name)).astype(np.int64) for one in cargo),
+        bodies=tuple(np.flatnonzero(layout.frame == frames.index(one.name)).astype(np.int64) for one in payloads),
         bay=None if worksite.bay is None else np.array([(*worksite.bay.low[:2], -np.inf), worksite.bay.high]),
     )
 
 
-def _meetings(worksite: Worksite, layout: Layout, cargo: tuple[Cargo, ...]) -> tuple[Meeting, ...]:
+def _meetings(worksite: Worksite, layout: Layout, payloads: tuple[Payload, ...]) -> tuple[Meeting, ...]:
     """Return the essential pairs of the worksite's file whose two parts are in the layout."""
     found = []
     for essential in worksite.essential:
         if not set(essential.parts) <= set(layout.parts):
             continue
         frames = {layout.frames[layout.part_frame[layout.part(part)]] for part in essential.parts}
-        for k, payload in enumerate(cargo):
+        for k, payload in enumerate(payloads):
             if payload.name in frames:
                 own = _trunnions(layout, payload) if essential.relation == "guides" else {}
                 for group in np.flatnonzero(among(layout, [essential.parts])).tolist():
@@ -234,7 +234,7 @@ def _meetings(worksite: Worksite, layout: Layout, cargo: tuple[Cargo, ...]) -> t
     return tuple(found)
 
 
-def _trunnions(layout: Layout, payload: Cargo) -> dict[int, int]:
+def _trunnions(layout: Layout, payload: Payload) -> dict[int, int]:
     """Return, for each solid of a payload's trunnions, the index of the trunnion whose latch point is nearest."""
     solids = np.flatnonzero(layout.frame == layout.frames.index(payload.name))
     part = part_of(payload.name, "trunnions")
@@ -245,12 +245,12 @@ def _trunnions(layout: Layout, payload: Cargo) -> dict[int, int]:
 
 def all_solids(scenario: Scenario) -> tuple[Solid, ...]:
     """Return all solids of a run: of the arm, of the attached payload, of the worksite and of its payloads."""
-    cargo = (solid for payload in scenario.cargo for solid in payload.solids)
+    theirs = (solid for payload in scenario.payloads for solid in payload.solids)
     return (
         *arm_solids(scenario.arm.model, scenario.worksite),
         *_attached_solids(scenario),
         *scenario.worksite.solids,
-        *cargo,
+        *theirs,
     )
 
 

@@ -53,7 +53,7 @@ def work_of(flight: Flight, state: State) -> Work:
         stand=state.plant.stand.position if site.prong else None,
         orbiter=_displacement(site, worksite, state.plant),
         orbiter_velocity=_velocity(site, worksite, state.plant),
-        cargo=tuple(_cargo(site, worksite, k, period) for k in range(len(site.cargo))),
+        cargo=tuple(_cargo(site, worksite, k, period) for k in range(len(site.payloads))),
         master=_master(state) if MODES[state.panel.mode].kind == "master" else None,
     )
 
@@ -134,6 +134,6 @@ def _hand(flight: Flight, worksite: WorksiteState, *, loaded: bool) -> Hand:
 
 
 def _cargo(site: Site, worksite: WorksiteState, k: int, period: float) -> Cargo:
-    position, orientation, velocity = moving(worksite.frames, worksite.before, site.cargo_row(k), period)
-    thing = worksite.cargo[k]
-    return Cargo(site.cargo[k].name, position, orientation, velocity, thing.held, thing.seat)
+    position, orientation, velocity = moving(worksite.frames, worksite.before, site.payload_row(k), period)
+    thing = worksite.payloads[k]
+    return Cargo(site.payloads[k].name, position, orientation, velocity, thing.held, thing.berth)

@@ -18,12 +18,12 @@ def motions_of(flight: Flight, worksite: WorksiteState, stand: Slide) -> tuple[M
     Latches and carriage that wait, because further motion would make a contact, are left out.
     """
     found: list[Motion] = []
-    for payload in worksite.cargo:
+    for payload in worksite.payloads:
         if payload.latches.motion and not worksite.waiting:
             closes = payload.latches.motion == "latch"
             left = 1.0 - payload.latches.closed if closes else payload.latches.closed
             found.append(
-                Motion("latches close" if closes else "latches open", left * flight.site.berth(payload.seat).time)
+                Motion("latches close" if closes else "latches open", left * flight.site.berth(payload.berth).time)
             )
     device = flight.site.capture
     if device is not None and not worksite.waiting and (moves := device.motion(worksite.controls())) is not None:

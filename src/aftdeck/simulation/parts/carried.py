@@ -9,7 +9,7 @@ from __future__ import annotations
 from dataclasses import replace
 
 from aftdeck.arrays import Array
-from aftdeck.kinematics.payload import Payload
+from aftdeck.kinematics.payload import HeldPayload
 from aftdeck.scenario.limits import por_with
 from aftdeck.scenario.model import RateLimits, Scenario
 from aftdeck.state_part import Cache
@@ -24,12 +24,12 @@ class SteeringSetup(Cache):
         rules: the steering's rules by panel position, rate setting and steering law.
     """
 
-    def __init__(self, payload: Payload | None, rules: dict[Key, Array]) -> None:
+    def __init__(self, payload: HeldPayload | None, rules: dict[Key, Array]) -> None:
         self.payload = payload
         self.rules = rules
 
 
-def steering_setup(scenario: Scenario, payload: Payload | None, limits: RateLimits | None = None) -> SteeringSetup:
+def steering_setup(scenario: Scenario, payload: HeldPayload | None, limits: RateLimits | None = None) -> SteeringSetup:
     """Return the steering's setup.
 
     Args:

@@ -111,7 +111,7 @@ def _except_berth(site: Site, k: int, watch: ClearanceMonitor, frames: Array, ne
     Pairs of the task and pairs in contact keep their marks. So do pairs that are nearer to each other than on the
     straight way into the berth, by more than the berth's tolerance or by half.
     """
-    row = site.cargo_row(k)
+    row = site.payload_row(k)
     number = nearest_place(frames, row, site.berth_rows[k], site.berth_places[k], NEAR)
     if number < 0:
         return
@@ -143,7 +143,7 @@ def clearances_on_way(site: Site, k: int, number: int) -> Array:
     have the clearance inf.
     """
     fit = site.fits[k][number]
-    frames, row = np.tile(HERE, (len(site.layout.frames), 1)), site.cargo_row(k)
+    frames, row = np.tile(HERE, (len(site.layout.frames), 1)), site.payload_row(k)
     frames[row] = fit.place
     step = STEP * product(fit.place[3:].reshape(3, 3), fit.way_out)
     watch = ClearanceMonitor(site.layout)
@@ -212,9 +212,9 @@ def _decide(site: Site, frames: Array, nearest: int, counts: Mask) -> None:
     for meeting in site.meetings:
         if counts[meeting.group] != UNDECIDED:
             continue
-        key = meeting.cargo, meeting.relation
+        key = meeting.payload, meeting.relation
         if key not in known:
-            reported = any(other.group == nearest for other in site.meetings if (other.cargo, other.relation) == key)
+            reported = any(other.group == nearest for other in site.meetings if (other.payload, other.relation) == key)
             known[key] = _is_aligned(site, frames, meeting, reported=reported)
         counts[meeting.group] = not known[key]
 
@@ -231,7 +231,7 @@ def _is_aligned(site: Site, frames: Array, meeting: Meeting, *, reported: bool) 
     the parts count as aligned only if they are inside the tolerances by at least the permitted depth. This margin keeps
     the lamp from flickering. Only relations of berths are tested here; the end effector is tested in `alarm_pairs`.
     """
-    k, depth = meeting.cargo, meeting.depth
+    k, depth = meeting.payload, meeting.depth
     inside = depth if reported else 0.0
     fits = (fit for fit in site.fits[k] if fit.relation == meeting.relation)
-    return any(fit.is_aligned(frames, site.cargo_row(k), depth, NEAR, inside) for fit in fits)
+    return any(fit.is_aligned(frames, site.payload_row(k), depth, NEAR, inside) for fit in fits)

@@ -11,9 +11,9 @@ from aftdeck.simulation.constants.site import Site
 from aftdeck.simulation.inputs import Inputs
 from aftdeck.simulation.log import Log
 from aftdeck.simulation.parts.worksite_state import WorksiteState
+from aftdeck.simulation.payloads.fixing import stay_or_leave
 from aftdeck.simulation.payloads.grasp import attach, empty_grasp
 from aftdeck.simulation.payloads.mechanism import is_blocked
-from aftdeck.simulation.payloads.seating import stay_or_leave
 from aftdeck.simulation.state import Panel
 from aftdeck.worksite.capture.effector import EndEffector
 from aftdeck.worksite.capture.snare import Snare
@@ -52,9 +52,9 @@ def capture(
     else:
         empty_grasp(site, worksite, panel, log, k)
         stay_or_leave(flight, worksite, plant, log, k)
-        seat = worksite.cargo[k].seat
+        seat = worksite.payloads[k].berth
         where = f"it stays in the {site.berth(seat).title}" if seat else "it is free"
-        log.add("released", "info", f"{site.cargo[k].title} released: {where}")
+        log.add("released", "info", f"{site.payloads[k].title} released: {where}")
 
 
 def _reject_switches(log: Log, inputs: Inputs) -> None:
@@ -108,8 +108,8 @@ def _draw_in(flight: Flight, worksite: WorksiteState, log: Log, k: int, snare: S
     Returns:
         False if this motion would make or deepen a contact.
     """
-    site, payload = flight.site, worksite.cargo[k]
-    if payload.seat or payload.fixture_at_capture is None:
+    site, payload = flight.site, worksite.payloads[k]
+    if payload.berth or payload.fixture_at_capture is None:
         return True
     drawn, left = np.empty(POSE), 1.0 - (snare.drawn - payload.drawn_at_capture)
     grasp = device.drawn_grasp(k, np.array(payload.fixture_at_capture), left)
@@ -128,9 +128,9 @@ def _attach(site: Site, worksite: WorksiteState, log: Log, k: int) -> None:
 
     A berth that closes at release frees the payload; any other berth still fixes the payload.
     """
-    payload = worksite.cargo[k]
-    if payload.seat and site.berth(payload.seat).closes == "at release":
-        payload.seat, payload.released_from = "", payload.seat
+    payload = worksite.payloads[k]
+    if payload.berth and site.berth(payload.berth).closes == "at release":
+        payload.berth, payload.released_from = "", payload.berth
     attach(site, worksite, k)
-    fixed = f", fixed in the {site.berth(payload.seat).title}" if payload.seat else ""
-    log.add("acquired", "info", f"{site.cargo[k].title} acquired{fixed}")
+    fixed = f", fixed in the {site.berth(payload.berth).title}" if payload.berth else ""
+    log.add("acquired", "info", f"{site.payloads[k].title} acquired{fixed}")

@@ -50,13 +50,13 @@ def drifted(
         floating: the payload's free flight before this step.
     """
     site, period = flight.site, flight.scenario.control_period
-    if not measured(worksite.watch.found, site.of_cargo[k]):  # no part is near enough to touch in this step
+    if not measured(worksite.watch.found, site.of_payload[k]):  # no part is near enough to touch in this step
         floating.move(period)
         floating.met = False
         return floating
     after = floating.moved(period)
     here = looked_at(worksite.watch, _frames(site, worksite, plant, k, floating))
-    group = worst_new_contact(here, site.of_cargo[k], _frames(site, worksite, plant, k, after))
+    group = worst_new_contact(here, site.of_payload[k], _frames(site, worksite, plant, k, after))
     if group < 0:
         after.met = False
         return after
@@ -90,15 +90,15 @@ def _stopped(
     free, share = 0.0, 0.5
     for _ in range(0 if floating.met else HALVINGS):
         later = _frames(site, worksite, plant, k, floating.moved((free + share) * period))
-        clear = worst_new_contact(here, site.of_cargo[k], later) < 0
+        clear = worst_new_contact(here, site.of_payload[k], later) < 0
         free, share = free + share if clear else free, 0.5 * share
     stopped = floating.moved(free * period)
-    first = site.layout.frames[site.layout.between_frames[group, 0]] == site.cargo[k].name
+    first = site.layout.frames[site.layout.between_frames[group, 0]] == site.payloads[k].name
     row = here.found[group]
     normal = row[NORMAL : NORMAL + 3] if first else -row[NORMAL : NORMAL + 3]
     point = row[POINT_A : POINT_A + 3] if first else row[POINT_B : POINT_B + 3]
     frames = _frames(site, worksite, plant, k, floating)
-    lever = point - frames[site.cargo_row(k), :3]
+    lever = point - frames[site.payload_row(k), :3]
     other = int(site.layout.between_frames[group, 1 if first else 0])
     other_velocity = _velocity(site, worksite, site.layout.frames[other])
     surface = other_velocity + _of_arm(site, worksite, frames, other, point, period)
@@ -125,12 +125,12 @@ def _velocity(site: Site, worksite: WorksiteState, frame: str) -> Array:
 
     Parts of the arm count as moving with the orbiter, because a body that the arm stops does not move with the arm.
     """
-    for k, payload in enumerate(site.cargo):
+    for k, payload in enumerate(site.payloads):
         if payload.name != frame:
             continue
         if (floating := worksite.floating[k]) is not None:
             return floating.motion[3:].copy()
-        if worksite.cargo[k].seat and site.in_space(worksite.cargo[k].seat):
+        if worksite.payloads[k].berth and site.in_space(worksite.payloads[k].berth):
             return np.zeros(3)
     return np.zeros(3) if frame == "space" else product(site.axes, worksite.orbiter_velocity)
 
@@ -147,7 +147,7 @@ def _of_arm(site: Site, worksite: WorksiteState, frames: Array, frame: int, poin
         period: control period [s].
     """
     name, held = site.layout.frames[frame], worksite.held
-    if not name.startswith(ARM) and (held is None or name != site.cargo[held].name):
+    if not name.startswith(ARM) and (held is None or name != site.payloads[held].name):
         return np.zeros(3)
     now = motion(worksite.frames[frame], frames[frame], period)
     turn = np.array([now.wx, now.wy, now.wz])

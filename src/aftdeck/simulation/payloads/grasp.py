@@ -9,7 +9,7 @@ import numpy as np
 
 from aftdeck.arrays import Array
 from aftdeck.bodies.pose import POSE, compose, relative
-from aftdeck.kinematics.payload import PACKED, Payload
+from aftdeck.kinematics.payload import PACKED, HeldPayload
 from aftdeck.matrices import product
 from aftdeck.plant.state import PlantState
 from aftdeck.scenario.model import Scenario
@@ -31,7 +31,7 @@ NEAR = 3.0
 
 def attach(site: Site, worksite: WorksiteState, k: int) -> None:
     """Attach a payload to the frame of the last joint, in the payload's present pose (MO2SET)."""
-    worksite.cargo[k].held, worksite.floating[k] = True, None
+    worksite.payloads[k].held, worksite.floating[k] = True, None
     reset_grasp(site, worksite, k)
     worksite.update_attachments(site)
 
@@ -42,7 +42,7 @@ def reset_grasp(site: Site, worksite: WorksiteState, k: int) -> None:
     If the carriage draws the payload in, the payload moves from this pose. The carriage's full travel reduces the
     misalignment to zero; a part of this travel reduces it in proportion.
     """
-    payload = worksite.cargo[k]
+    payload = worksite.payloads[k]
     payload.grasp = payload.steered = pose_in_hand(site, worksite.frames, k).tolist()
     grip = None if site.capture is None else site.capture.grip(worksite.frames, k)
     if grip is not None:
@@ -58,7 +58,7 @@ def carried_by(scenario: Scenario, site: Site, worksite: WorksiteState, script: 
     The steering uses the mass and the axes of a worksite payload. The payload's centre is the point of resolution.
     """
     payload = None
-    for k, worksite_payload in enumerate(worksite.cargo):
+    for k, worksite_payload in enumerate(worksite.payloads):
         if worksite_payload.held:
             payload = _payload(site, k, np.array(worksite_payload.steered))
     if script.attached:
@@ -75,8 +75,8 @@ def set_effector(flight: Flight, worksite: WorksiteState, *, holding: bool) -> N
         worksite.snare = RIGID if holding else Snare()
 
 
-def packed_in_grasp(site: Site, worksite: WorksiteState, carried: Payload | None) -> Array | None:
-    """Return the payload in the grasp, in the form of `Payload.packed`; None if the grasp is empty.
+def packed_in_grasp(site: Site, worksite: WorksiteState, carried: HeldPayload | None) -> Array | None:
+    """Return the payload in the grasp, in the form of `HeldPayload.packed`; None if the grasp is empty.
 
     The pose is the present pose, because carriage and latches move a worksite payload relative to the end effector.
     `carried` is the payload that the steering uses.
@@ -85,36 +85,36 @@ def packed_in_grasp(site: Site, worksite: WorksiteState, carried: Payload | None
     if k is None:
         return None if carried is None else carried.packed
     packed = np.empty(PACKED)
-    payload_in_hand(worksite.frames, site.last_joint, site.cargo_row(k), site.hand, packed)
+    payload_in_hand(worksite.frames, site.last_joint, site.payload_row(k), site.hand, packed)
     return packed
 
 
-def _payload(site: Site, k: int, grasp: Array) -> Payload:
+def _payload(site: Site, k: int, grasp: Array) -> HeldPayload:
     """Return payload k in the grasp; `grasp` (12,) is its pose in the frame of the last joint."""
     inside = np.empty(POSE)
     relative(site.hand, grasp, inside)
     rotation = inside[3:].reshape(3, 3).copy()
-    cargo = site.cargo[k]
-    return Payload(
-        cargo.mass,
+    payloads = site.payloads[k]
+    return HeldPayload(
+        payloads.mass,
         rotation,
         product(rotation.T, inside[:3]),
         np.zeros(3),
-        inertia=cargo.inertia,
-        centre_of_mass=cargo.centre_of_mass,
+        inertia=payloads.inertia,
+        centre_of_mass=payloads.centre_of_mass,
     )
 
 
 def pose_in_hand(site: Site, frames: Array, k: int) -> Array:
     """Return a payload's pose (12,) in the frame of the last joint; `frames` (F, 12): poses of all frames in L."""
     grasp = np.empty(POSE)
-    relative(frames[site.last_joint], frames[site.cargo_row(k)], grasp)
+    relative(frames[site.last_joint], frames[site.payload_row(k)], grasp)
     return grasp
 
 
 def empty_grasp(site: Site, worksite: WorksiteState, panel: Panel, log: Log, k: int) -> None:
     """End the grasp of payload k. If the present mode moves a payload, select ORB UNL."""
-    payload = worksite.cargo[k]
+    payload = worksite.payloads[k]
     payload.held, payload.grasp, payload.fixture_at_capture, payload.steered, payload.drawn_at_capture = (
         False,
         None,
@@ -135,7 +135,7 @@ def start_free_flight(flight: Flight, worksite: WorksiteState, plant: PlantState
     includes the orbiter's velocity.
     """
     site = flight.site
-    row = site.cargo_row(k)
+    row = site.payload_row(k)
     now = motion(worksite.before[row], worksite.frames[row], flight.scenario.control_period)
     pose = worksite.frames[row].copy()
     pose[:3] += site.scene[:3] - worksite.frames[site.space_row, :3]
@@ -145,5 +145,5 @@ def start_free_flight(flight: Flight, worksite: WorksiteState, plant: PlantState
     velocity = np.array([now.vx, now.vy, now.vz]) + product(site.axes, worksite.orbiter_velocity)
     if from_space:
         velocity[:] = 0.0
-    worksite.floating[k] = floating(pose, velocity, turn, site.cargo[k].limit_cycle)
+    worksite.floating[k] = floating(pose, velocity, turn, site.payloads[k].limit_cycle)
     worksite.update_attachments(site)

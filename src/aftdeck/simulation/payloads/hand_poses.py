@@ -11,7 +11,7 @@ from aftdeck.law import law
 
 @law
 def payload_in_hand(frames: Array, last_joint: int, row: int, hand: Array, packed: Array) -> None:
-    """Write a payload's pose in frame 7 to `packed`, in the layout of `Payload.packed`; its POR is its centre.
+    """Write a payload's pose in frame 7 to `packed`, in the layout of `HeldPayload.packed`; its POR is its centre.
 
     Args:
         frames: (F, 12) poses of all frames in L.

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from aftdeck.simulation.constants.site import Site
 from aftdeck.simulation.parts.worksite_state import WorksiteState
+from aftdeck.simulation.payloads.fixing import conditions_at
 from aftdeck.simulation.payloads.grasp import NEAR
 from aftdeck.simulation.payloads.latch_command import nearest_berth
-from aftdeck.simulation.payloads.seating import conditions_at
 from aftdeck.worksite.conditions import Condition
 from aftdeck.worksite.report import Objective
 
@@ -20,7 +20,7 @@ def present_objective(site: Site, worksite: WorksiteState) -> Pursued:
     """
     if (k := worksite.held) is not None:
         fit = None if worksite.arm_fixed else nearest_berth(site, worksite.frames, k)
-        if fit is None or worksite.cargo[k].released_from == fit.berth.name:
+        if fit is None or worksite.payloads[k].released_from == fit.berth.name:
             return None, ()
         text = f"{fit.berth.verb} in the {fit.berth.title}"
         return Objective(fit.berth.verb, text), conditions_at(site, worksite, k, fit)
@@ -28,7 +28,7 @@ def present_objective(site: Site, worksite: WorksiteState) -> Pursued:
     near = None if device is None else device.nearest(worksite.frames, worksite.watch.placed, NEAR)
     if device is None or near is None:
         return None, ()
-    return Objective(device.action, f"{device.action} {site.cargo[near.payload].title}"), near.conditions
+    return Objective(device.action, f"{device.action} {site.payloads[near.payload].title}"), near.conditions
 
 
 def holding(site: Site, worksite: WorksiteState, k: int) -> tuple[Condition, ...]:

@@ -38,8 +38,8 @@ def permitted(site: Site, watch: ClearanceMonitor, frames: Array) -> Mask:
 
 def _related(site: Site, watch: ClearanceMonitor, frames: Array, meeting: Meeting) -> bool:
     """Return whether the two parts of a pair are in their relation."""
-    k, device = meeting.cargo, site.capture
+    k, device = meeting.payload, site.capture
     if device is not None and meeting.relation == device.relation:
         return device.permits(frames, watch.placed, meeting)
     fits = (fit for fit in site.fits[k] if fit.relation == meeting.relation)
-    return any(fit.permits(frames, site.cargo_row(k), watch.placed, meeting) for fit in fits)
+    return any(fit.permits(frames, site.payload_row(k), watch.placed, meeting) for fit in fits)

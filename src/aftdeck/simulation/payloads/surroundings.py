@@ -32,9 +32,9 @@ def surroundings(flight: Flight, state: State, inputs: Inputs) -> Surroundings:
     site, worksite, bodies = flight.site, state.worksite, state.plant.bodies
     if bodies is None:
         return NOTHING
-    found = attitude_torques(site.cargo, worksite.floating, bodies, flight.scenario.control_period)
+    found = attitude_torques(site.payloads, worksite.floating, bodies, flight.scenario.control_period)
     if state.disturbances:
-        found += pushes(site.cargo, state.disturbances, state.plant.base)
+        found += pushes(site.payloads, state.disturbances, state.plant.base)
     return Surroundings(
         _holds(site, worksite),
         _near(flight, worksite),
@@ -72,12 +72,12 @@ def _holds(site: Site, worksite: WorksiteState) -> list[Hold]:
     is pulled by both: the latches draw it in, and the arm gives way.
     """
     found = []
-    for k, payload in enumerate(worksite.cargo):
+    for k, payload in enumerate(worksite.payloads):
         if payload.grasp is not None:
             found.append(Hold(k, "hand", np.array(payload.grasp)))
-        if (fit := site.fit(k, payload.seat)) is not None:
+        if (fit := site.fit(k, payload.berth)) is not None:
             seated, pose = np.empty(POSE), np.empty(POSE)
-            compose(fit.place, np.array(payload.offset_in_seat), seated)
+            compose(fit.place, np.array(payload.offset_in_berth), seated)
             compose(site.scene, seated, pose)
             in_space = fit.row == site.space_row
             found.append(Hold(k, "space" if in_space else "orbiter", pose, give=fit.berth.gives))
@@ -94,7 +94,7 @@ def follow_bodies(site: Site, worksite: WorksiteState, plant: PlantState, bodies
     for k, floating in enumerate(worksite.floating):
         if floating is not None:
             floating.pose[:], floating.motion[:] = bodies.payloads[k], bodies.motions[k]
-    if site.cargo:
+    if site.payloads:
         ride(site.scene, plant.base, plant.frames, worksite.carrier, bodies.payloads, worksite.poses_in_carrier)
 
 

@@ -98,7 +98,7 @@ def _work(scenario: Scenario) -> WorkInfo:
         hand="snares" if equipment.prong is None else "prong",
         effector=(model.linkage.frames[-1], *(() if equipment.prong is None else (PRONG,))),
         stand=None if equipment.telescope is None else StandInfo(*equipment.telescope),
-        cargo=tuple(cargo.name for cargo in scenario.cargo),
+        cargo=tuple(payload.name for payload in scenario.payloads),
         seats=tuple(SeatInfo(seat.name, seat.title) for seat in scenario.worksite.berths),
         parts=tuple(scenario.parts),
         caution=scenario.caution,
@@ -127,8 +127,8 @@ def _flexures(scenario: Scenario) -> tuple[FlexureInfo, ...]:
 
 def _ghost(scenario: Scenario, count: int) -> tuple[int, ...]:
     """Return the indices of the arm's bodies and the payloads in `Welcome.bodies`, which has `count` entries."""
-    first, cargo = len(scenario.worksite.bodies), len(scenario.cargo)
-    return (*range(first, first + len(scenario.arm.model.frames)), *range(count - cargo, count))
+    first, payload = len(scenario.worksite.bodies), len(scenario.payloads)
+    return (*range(first, first + len(scenario.arm.model.frames)), *range(count - payload, count))
 
 
 def _has_points(scenario: Scenario, mode: Mode) -> bool:

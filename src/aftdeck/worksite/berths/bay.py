@@ -21,9 +21,9 @@ from aftdeck.units import Angle, Length
 from aftdeck.worksite.berths.berth import Berth, BerthTable, Fit, place_of
 from aftdeck.worksite.berths.berthing import (
     OFFSET,
+    BerthTolerances,
     Guide,
     Guides,
-    SeatTolerances,
     in_guides,
     inside,
     offsets,
@@ -34,7 +34,7 @@ from aftdeck.worksite.berths.berthing import (
 )
 from aftdeck.worksite.body import Body
 from aftdeck.worksite.conditions import Condition
-from aftdeck.worksite.payload import Cargo
+from aftdeck.worksite.payload import Payload
 from aftdeck.worksite.relation import Meeting
 from aftdeck.worksite.tables import Table, positive
 from aftdeck.worksite.watch.near import touch
@@ -93,10 +93,10 @@ class BayBerth(Berth, frozen=True, eq=False, kw_only=True):
     guides: GuidesFile | None
     """V-guides; None if there are none."""
 
-    def fit(self, payload: Cargo, row: int, axes: str) -> Fit:
+    def fit(self, payload: Payload, row: int, axes: str) -> Fit:
         """Return the constants of a payload in this berth; arguments as for `Berth.fit`."""
         del axes
-        place, tolerances = place_of(self, payload), SeatTolerances(self.distance, self.angle)
+        place, tolerances = place_of(self, payload), BerthTolerances(self.distance, self.angle)
         if self.guides is None:
             return BayFit(self, row, place, tolerances)
         seats = place[:3] + product(payload.trunnions, place[3:].reshape(3, 3).T)
@@ -113,7 +113,7 @@ class BayFit(Fit):
         tolerances: greatest distance and angle at which the berth fixes the payload.
     """
 
-    tolerances: SeatTolerances
+    tolerances: BerthTolerances
 
     relation: ClassVar[Literal["guides"] | None] = None
 

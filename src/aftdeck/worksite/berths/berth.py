@@ -2,7 +2,7 @@
 
 One module defines one kind: its table in the file, its constants, its conditions, its permitted contacts and its words;
 `kinds` lists the kinds. When a berth closes and opens follows from `Berth.closes` and `Berth.instant`: the step
-(`simulation.payloads.seating`) knows no kinds.
+(`simulation.payloads.fixing`) knows no kinds.
 """
 
 from __future__ import annotations
@@ -27,7 +27,7 @@ from aftdeck.units import Angle, Length, Time
 from aftdeck.worksite.berths.on_way import OnWay, on_way
 from aftdeck.worksite.body import Body, Frame
 from aftdeck.worksite.conditions import Condition
-from aftdeck.worksite.payload import Cargo
+from aftdeck.worksite.payload import Payload
 from aftdeck.worksite.relation import Meeting, Relation
 from aftdeck.worksite.tables import Placed, Text, positive
 
@@ -138,18 +138,18 @@ class Berth(msgspec.Struct, frozen=True, eq=False, kw_only=True):
         """Return the name of the fitting that this berth needs and a payload lacks; empty if the payload fits.
 
         Args:
-            probe: `Cargo.probe` of the payload.
-            trunnions: `Cargo.trunnions` of the payload.
+            probe: `Payload.probe` of the payload.
+            trunnions: `Payload.trunnions` of the payload.
         """
         has = {"": True, "probe": probe is not None, "trunnions": len(trunnions) > 0}
         return "" if has[self.needs] else self.needs
 
     def seated(self, probe: Pose | None) -> Pose:
-        """Return the pose of a seated payload's own frame in the berth's frame; `probe`: `Cargo.probe`."""
+        """Return the pose of a seated payload's own frame in the berth's frame; `probe`: `Payload.probe`."""
         del probe
         return self.pose
 
-    def fit(self, payload: Cargo, row: int, axes: str) -> Fit:
+    def fit(self, payload: Payload, row: int, axes: str) -> Fit:
         """Return the constants of a payload in this berth, which accepts the payload.
 
         Args:
@@ -240,6 +240,6 @@ class Fit(ABC):
         return on_way(frames[self.row], self.place, frames[payload], self.way_out)
 
 
-def place_of(berth: Berth, payload: Cargo) -> Array:
+def place_of(berth: Berth, payload: Payload) -> Array:
     """Return the pose (12,) of a seated payload in the berth's frame."""
     return row_of(berth.seated(payload.probe))

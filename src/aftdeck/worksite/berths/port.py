@@ -22,7 +22,7 @@ from aftdeck.worksite.berths.docking import BEFORE, DISTANCE, FOUND, INSIDE, Doc
 from aftdeck.worksite.berths.on_way import straight_before
 from aftdeck.worksite.body import Body
 from aftdeck.worksite.conditions import Condition
-from aftdeck.worksite.payload import Cargo, part_of
+from aftdeck.worksite.payload import Payload, part_of
 from aftdeck.worksite.relation import Meeting
 from aftdeck.worksite.tables import positive
 
@@ -82,13 +82,13 @@ class Port(Berth, frozen=True, eq=False, kw_only=True):
     """
 
     def seated(self, probe: Pose | None) -> Pose:
-        """Return the pose of a docked payload's own frame in the port's frame; `probe`: `Cargo.probe`."""
+        """Return the pose of a docked payload's own frame in the port's frame; `probe`: `Payload.probe`."""
         if probe is None:
             return self.pose
         rotation = product(self.pose.rotation, probe.rotation.T)
         return Pose(self.pose.position - product(rotation, probe.position), rotation)
 
-    def fit(self, payload: Cargo, row: int, axes: str) -> Fit:
+    def fit(self, payload: Payload, row: int, axes: str) -> Fit:
         """Return the constants of a payload at this port; arguments as for `Berth.fit`."""
         probe = [solid.vertices for solid in payload.solids if solid.part == part_of(payload.name, "probe")]
         return PortFit(

@@ -119,7 +119,7 @@ class Bar(EndEffector):
     def permits(self, frames: Array, placed: Array, meeting: Meeting) -> bool:
         """Return whether the bar is in front of the palm and between the fingers: conditions 1 to 3 of acquisition."""
         del frames
-        found = self.measured(placed, meeting.cargo)
+        found = self.measured(placed, meeting.payload)
         return found is not None and bool(min(found[PALM], found[FIXED], found[PRONG]) >= -meeting.depth)
 
     def aligned_with(self, frames: Array, placed: Array, near: float, before: int | None) -> int | None:

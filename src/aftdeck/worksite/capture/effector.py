@@ -17,7 +17,7 @@ from aftdeck.arrays import Array
 from aftdeck.worksite.capture.snare import Snare
 from aftdeck.worksite.conditions import Condition, Units
 from aftdeck.worksite.log_line import LogLine
-from aftdeck.worksite.payload import Cargo
+from aftdeck.worksite.payload import Payload
 from aftdeck.worksite.relation import Meeting, Relation
 from aftdeck.worksite.report import Motion
 from aftdeck.worksite.tables import Table, Text
@@ -36,7 +36,7 @@ class MadeFor(NamedTuple):
     """
 
     model: ArmModel
-    payloads: tuple[Cargo, ...]
+    payloads: tuple[Payload, ...]
     parts: Sequence[str]
     hand: int
     effector: Array

@@ -142,7 +142,7 @@ class Snares(EndEffector):
         The snares reach beyond the outer end, and may touch the base of the fixture.
         """
         del placed
-        if (fixture := self.fixture(frames, meeting.cargo)) is None:
+        if (fixture := self.fixture(frames, meeting.payload)) is None:
             return False
         (out, y, z), turned = fixture
         return self._within(y, z, turned, 1.0) and bool(out >= self.envelope.nearest - meeting.depth)

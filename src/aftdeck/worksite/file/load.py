@@ -18,7 +18,6 @@ from aftdeck.shapes import Shape
 from aftdeck.tuples import plain_vector
 from aftdeck.worksite.berths.berth import Berth
 from aftdeck.worksite.body import Body
-from aftdeck.worksite.file.cargo import cargo_of
 from aftdeck.worksite.file.check import (
     ARM,
     bay_without_walls,
@@ -28,6 +27,7 @@ from aftdeck.worksite.file.check import (
     parts_in_two_frames,
 )
 from aftdeck.worksite.file.housing import Housed, housed
+from aftdeck.worksite.file.payload import payload_of
 from aftdeck.worksite.file.schema import BayFile, BodyFile, OrbiterFile, WorksiteFile
 from aftdeck.worksite.file.solids import as_solids, drawn, moved, solids_of
 from aftdeck.worksite.model import (
@@ -38,7 +38,7 @@ from aftdeck.worksite.model import (
     Translation,
     Worksite,
 )
-from aftdeck.worksite.payload import FITTINGS, Cargo
+from aftdeck.worksite.payload import FITTINGS, Payload
 from aftdeck.worksite.relation import Essential
 
 _BUILT_IN = Path(__file__).parents[1]
@@ -146,21 +146,21 @@ def _made(file: WorksiteFile, text: str, problems: list[Problem]) -> Worksite:
         for name, own in on_frames.items()
         if name.startswith(ARM) and own.solids
     }
-    listed = _cargoes(file, berths, on_frames, problems)
-    cargoes = tuple(listed.values())
+    listed = _payloads(file, berths, on_frames, problems)
+    payloads = tuple(listed.values())
     problems += parts_in_two_frames(
         [
             *((("body", i), own) for i, (_, own) in enumerate(made)),
-            *((("cargo", i), cargo.solids) for i, cargo in listed.items()),
+            *((("cargo", i), payload.solids) for i, payload in listed.items()),
             *((("camera",), own.solids) for own in mounted.values()),
         ]
     )
-    parts = dict.fromkeys(solid.part for own in (solids, *(cargo.solids for cargo in cargoes)) for solid in own)
+    parts = dict.fromkeys(solid.part for own in (solids, *(payload.solids for payload in payloads)) for solid in own)
     problems += inside_nothing(file, parts)
     bay = None if file.bay is None else _bay(file.bay)
     if bay is not None and not problems:
         problems += bay_without_walls(bay, solids)
-    problems += blind_cameras(cameras, bodies, solids, cargoes, file.camera_clearance)
+    problems += blind_cameras(cameras, bodies, solids, payloads, file.camera_clearance)
     return Worksite(
         name=file.name,
         title=file.title,
@@ -172,7 +172,7 @@ def _made(file: WorksiteFile, text: str, problems: list[Problem]) -> Worksite:
         solids=solids,
         mounted=mounted,
         berths=berths,
-        cargoes=cargoes,
+        payloads=payloads,
         essential=tuple(
             Essential((a, b), pair.relation, float(pair.depth))
             for pair in file.essential
@@ -241,27 +241,27 @@ def _berths(
     return tuple(berths)
 
 
-def _cargoes(
+def _payloads(
     file: WorksiteFile, berths: Sequence[Berth], cameras: Mapping[str, Housed], problems: list[Problem]
-) -> dict[int, Cargo]:
+) -> dict[int, Payload]:
     """Return the valid payloads by their index in the file, and add a problem for each invalid payload.
 
     `cameras` has the housings of the cameras on each payload.
     """
     by_name = {berth.name: berth for berth in berths}
-    cargoes = {}
-    for i, cargo in enumerate(file.cargo):
+    payloads = {}
+    for i, payload in enumerate(file.cargo):
         try:
-            made = cargo_of(cargo, by_name)
+            made = payload_of(payload, by_name)
         except ValueError as error:
-            problems.append(Problem(("cargo", i), f"cargo {cargo.name}: {error}"))
+            problems.append(Problem(("cargo", i), f"cargo {payload.name}: {error}"))
             continue
-        if own := cameras.get(cargo.name):
+        if own := cameras.get(payload.name):
             made = msgspec.structs.replace(
-                made, shapes=(*made.shapes, *own.shapes), solids=(*made.solids, *own.as_solids(cargo.name))
+                made, shapes=(*made.shapes, *own.shapes), solids=(*made.solids, *own.as_solids(payload.name))
             )
-        cargoes[i] = made
-    return cargoes
+        payloads[i] = made
+    return payloads
 
 
 def _cameras(file: WorksiteFile, problems: list[Problem]) -> dict[int, Camera]:

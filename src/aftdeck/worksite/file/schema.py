@@ -2,7 +2,7 @@
 
 Positions are in the axes of the body to which a table belongs. The first body's axes are those of the scene: x aft,
 y starboard, z up. `source` gives the source of a table's numbers, or ``assumed``. The modules `solids`,
-`cargo` and `check` check the rules that types cannot express.
+`payload` and `check` check the rules that types cannot express.
 """
 
 from __future__ import annotations

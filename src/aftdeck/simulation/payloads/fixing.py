@@ -38,11 +38,11 @@ def seat(
     site = flight.site
     index = addressed(site, worksite, pressed)
     answer: str | None = None
-    for k, payload in enumerate(worksite.cargo):
+    for k, payload in enumerate(worksite.payloads):
         own = pressed if k == index else None
-        if payload.seat and own is None and not payload.latches.motion:
+        if payload.berth and own is None and not payload.latches.motion:
             continue
-        if payload.seat:
+        if payload.berth:
             found = _update_fixed(flight, worksite, plant, log, tick, k, own)
         elif payload.held or own is not None:
             found = _update_unfixed(flight, worksite, log, k, own)
@@ -52,27 +52,27 @@ def seat(
     if pressed and answer != "":
         units = flight.scenario.arm.model.units
         why = answer or (
-            _nearest_seat_text(site, worksite, units) if pressed == "latch" else "no payload is at a berth"
+            _nearest_berth_text(site, worksite, units) if pressed == "latch" else "no payload is at a berth"
         )
         log.reject(f"{pressed.upper()} refused: {why}")
 
 
-def _nearest_seat_text(site: Site, worksite: WorksiteState, units: Units) -> str:
+def _nearest_berth_text(site: Site, worksite: WorksiteState, units: Units) -> str:
     """Return the reason for rejecting LATCH, as text.
 
     The text names the unfixed payload that is nearest to its pose in a berth, and its distance from this pose.
     """
     distances = [
-        (length(fit.offset(worksite.frames, site.cargo_row(k))[:3].tolist()), k, fit.berth.title)
+        (length(fit.offset(worksite.frames, site.payload_row(k))[:3].tolist()), k, fit.berth.title)
         for k, own in enumerate(site.fits)
         for fit in own
-        if not worksite.cargo[k].seat
+        if not worksite.payloads[k].berth
     ]
     if not distances:
         return "no berth of this worksite accepts a payload that is not fixed already"
     distance, k, title = min(distances)
     near, allowed = quantity_text(distance, "m", units), quantity_text(NEAR, "m", units)
-    return f"no payload is at a berth: {site.cargo[k].title} is {near} from the {title}, at most {allowed} allowed"
+    return f"no payload is at a berth: {site.payloads[k].title} is {near} from the {title}, at most {allowed} allowed"
 
 
 def stay_or_leave(flight: Flight, worksite: WorksiteState, plant: PlantState, log: Log, k: int) -> None:
@@ -80,7 +80,7 @@ def stay_or_leave(flight: Flight, worksite: WorksiteState, plant: PlantState, lo
 
     The payload is fixed if the conditions of such a berth hold. A payload that is already fixed stays fixed.
     """
-    if worksite.cargo[k].seat:
+    if worksite.payloads[k].berth:
         return
     for fit in flight.site.fits[k]:
         if fit.berth.closes == "at release" and all_hold(conditions_at(flight.site, worksite, k, fit)):
@@ -98,12 +98,12 @@ def _update_unfixed(flight: Flight, worksite: WorksiteState, log: Log, k: int, p
         Answer to `pressed` for this payload: "" if the command was executed, or if the log already contains the answer;
         the reason if LATCH was rejected; None if LATCH was not pressed for this payload, or if no berth is near.
     """
-    site, payload = flight.site, worksite.cargo[k]
+    site, payload = flight.site, worksite.payloads[k]
     fit = nearest_berth(site, worksite.frames, k)
     if fit is None:
         payload.released_from = ""
         return None
-    berth, row = fit.berth, site.cargo_row(k)
+    berth, row = fit.berth, site.payload_row(k)
     by_itself = berth.closes == "by itself"
     if not (by_itself or pressed == "latch" or payload.released_from):
         return None
@@ -124,7 +124,7 @@ def _update_unfixed(flight: Flight, worksite: WorksiteState, log: Log, k: int, p
         if holds:
             _fix(site, worksite, log, k, fit, SHUT)
             if not berth.docks:
-                log.add("latched", "info", f"{site.cargo[k].title} stays in the {berth.title}")
+                log.add("latched", "info", f"{site.payloads[k].title} stays in the {berth.title}")
         return failure_text(conditions, units)
     latches, lines = advance(OPEN, berth.time, "latch", flight.scenario.control_period, conditions, units)
     for line in lines:
@@ -144,8 +144,8 @@ def _update_fixed(
         Answer to `pressed` for this payload: "", the reason for a rejection, or None, as in `_update_unfixed`.
     """
     site, period = flight.site, flight.scenario.control_period
-    payload, title = worksite.cargo[k], site.cargo[k].title
-    fit = site.fit(k, payload.seat)
+    payload, title = worksite.payloads[k], site.payloads[k].title
+    fit = site.fit(k, payload.berth)
     assert fit is not None, "a fixed payload has a berth"
     berth = fit.berth
     if pressed == "latch":
@@ -165,7 +165,7 @@ def _update_fixed(
     if opens and not confirmed(payload, tick, period, log, only):
         command = ""
     after, lines = advance(before, berth.time, command, period, (), flight.scenario.arm.model.units)
-    seated, blocked = payload.offset_in_seat, False
+    seated, blocked = payload.offset_in_berth, False
     if after.drawn != before.drawn:
         left = np.empty(POSE)
         remaining(np.array(payload.offset_at_fixing), after.misaligned, left)
@@ -176,7 +176,7 @@ def _update_fixed(
         if line.kind == "refused" or not blocked:
             log.add(line.kind, line.level, line.text)
     if not blocked:
-        payload.latches, payload.offset_in_seat = after, seated
+        payload.latches, payload.offset_in_berth = after, seated
         worksite.update_carrier(site, k)
     if payload.latches.motion not in ("", before.motion):
         motion = "closing" if payload.latches.motion == "latch" else "opening"
@@ -188,26 +188,26 @@ def _update_fixed(
 
 def _fix(site: Site, worksite: WorksiteState, log: Log, k: int, fit: Fit, latches: Latches) -> None:
     """Fix a payload to a berth in the payload's present pose; latches then draw it in from this pose."""
-    payload, berth = worksite.cargo[k], fit.berth
-    off = fit.offset(worksite.frames, site.cargo_row(k)).tolist()
-    payload.seat, payload.latches, payload.offset_at_fixing, payload.offset_in_seat = berth.name, latches, off, off
+    payload, berth = worksite.payloads[k], fit.berth
+    off = fit.offset(worksite.frames, site.payload_row(k)).tolist()
+    payload.berth, payload.latches, payload.offset_at_fixing, payload.offset_in_berth = berth.name, latches, off, off
     worksite.floating[k] = None
     worksite.update_attachments(site)
     if berth.docks:
-        log.add("docked", "info", f"{site.cargo[k].title} docked at the {berth.title}")
+        log.add("docked", "info", f"{site.payloads[k].title} docked at the {berth.title}")
 
 
 def _unfix(flight: Flight, worksite: WorksiteState, plant: PlantState, log: Log, k: int, fit: Fit) -> None:
     """Release a payload from its berth. If the end effector does not hold the payload, start its free flight."""
-    site, payload, berth = flight.site, worksite.cargo[k], fit.berth
-    payload.seat, payload.released_from = "", berth.name
+    site, payload, berth = flight.site, worksite.payloads[k], fit.berth
+    payload.berth, payload.released_from = "", berth.name
     if payload.held:
         reset_grasp(site, worksite, k)
     else:
         start_free_flight(flight, worksite, plant, k, from_space=berth.frame == "space")
     worksite.update_attachments(site)
     what = "undocked from" if berth.docks else "released by"
-    text = f"{site.cargo[k].title} {what} the {berth.title}"
+    text = f"{site.payloads[k].title} {what} the {berth.title}"
     if payload.held:
         log.add("unseated", "info", text)
     else:
@@ -228,7 +228,9 @@ def conditions_at(site: Site, worksite: WorksiteState, k: int, fit: Fit) -> tupl
     If another payload is in the berth, the failed condition "seat empty" is added.
     """
     titles = [
-        site.cargo[i].title for i, payload in enumerate(worksite.cargo) if i != k and payload.seat == fit.berth.name
+        site.payloads[i].title
+        for i, payload in enumerate(worksite.payloads)
+        if i != k and payload.berth == fit.berth.name
     ]
     occupied = tuple(Condition("seat empty", False, 1.0, 0.0, "", -1.0, f"{title} is in it") for title in titles)
-    return (*fit.conditions(worksite.frames, site.cargo_row(k)), *occupied)
+    return (*fit.conditions(worksite.frames, site.payload_row(k)), *occupied)

@@ -19,9 +19,16 @@ from aftdeck.frames import Pose, endori
 from aftdeck.shapes import Box, Cylinder, Group, Material, Ring, Shape, Sphere
 from aftdeck.tuples import Vec3, plain_vector
 from aftdeck.worksite.berths.berth import Berth
-from aftdeck.worksite.file.cargo_file import CargoFile, GrappleFile, PrismBody, ReceptacleFile, StartFile, TrunnionsFile
+from aftdeck.worksite.file.cargo_file import (
+    CargoFile,
+    GrappleFile,
+    PrismBody,
+    ReceptacleFile,
+    StartFile,
+    TrunnionsFile,
+)
 from aftdeck.worksite.file.solids import CORNERS, as_solids, checked, drawn, moved
-from aftdeck.worksite.payload import Cargo, LimitCycle, Start, part_of
+from aftdeck.worksite.payload import LimitCycle, Payload, Start, part_of
 
 _UPWARDS = pi / 2
 """Angle of the middle of a prism's first side, from y towards z [rad]. With this angle, one side is on top and one is
@@ -40,7 +47,7 @@ class _Piece(NamedTuple):
     shapes: tuple[Shape, ...]
 
 
-def cargo_of(file: CargoFile, berths: Mapping[str, Berth]) -> Cargo:
+def payload_of(file: CargoFile, berths: Mapping[str, Berth]) -> Payload:
     """Return the payload that a file describes, with its start.
 
     Raises:
@@ -51,7 +58,7 @@ def cargo_of(file: CargoFile, berths: Mapping[str, Berth]) -> Cargo:
     pieces = tuple(_pieces(file))
     bar = next((frozen(piece.bodies[0]) for piece in pieces if piece.fitting == "receptacle"), None)
     probe, trunnions = _probe_tip(file), _latched(file.trunnions)
-    return Cargo(
+    return Payload(
         name=file.name,
         title=file.title,
         mass=float(file.mass),
@@ -264,8 +271,8 @@ def start_of(file: StartFile, berths: Mapping[str, Berth], probe: Pose | None, t
     Args:
         file: the payload's table ``start``.
         berths: the worksite's berths by name.
-        probe: `Cargo.probe` of the payload.
-        trunnions: `Cargo.trunnions` of the payload.
+        probe: `Payload.probe` of the payload.
+        trunnions: `Payload.trunnions` of the payload.
 
     Raises:
         ValueError: the berth does not exist, or needs a fitting that the payload does not have.
