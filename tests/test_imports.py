@@ -80,9 +80,13 @@ LAYER = {name: rank for rank, names in enumerate(LAYERS) for name in names}
 
 WITHIN: dict[str, tuple[tuple[str, ...], ...]] = {
     "worksite": (
-        ("model", "conditions", "log_line", "free_flight"),
-        ("file", "watch", "capture", "seats"),
-        ("sliding", "report"),
+        ("tables", "conditions", "log_line", "free_flight", "body", "payload", "relation"),
+        ("watch", "draw_in"),
+        ("report",),
+        ("berths", "capture"),
+        ("model",),
+        ("file",),
+        ("sliding",),
         ("__init__",),
     ),
     "simulation": (

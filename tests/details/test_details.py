@@ -36,7 +36,7 @@ ROUNDING = 1e-6
 
 def payloads_of(scenario: Scenario) -> dict[str, tuple[tuple[Shape, ...], float]]:
     """Return the drawn shapes and the mass of each payload of a scenario."""
-    found = {cargo.name: (cargo.shapes, cargo.mass) for cargo in scenario.cargo}
+    found = {cargo.name: (cargo.shapes, cargo.mass) for cargo in scenario.payloads}
     if scenario.payload is not None and scenario.payload.shapes:
         found["payload"] = scenario.payload.shapes, scenario.payload.mass
     return found

@@ -11,7 +11,7 @@ from numpy.typing import ArrayLike
 import aftdeck
 from aftdeck.errors import InputError
 from aftdeck.frames import Pose, rotation_x
-from aftdeck.kinematics.payload import Payload
+from aftdeck.kinematics.payload import HeldPayload
 from tests.kinematics.poses import AXES, BODY, CENTRES, INCH, legal, structural
 from tests.reference.tables import table
 
@@ -82,7 +82,7 @@ def test_complex_angles_are_rejected(arm: aftdeck.Arm) -> None:
 
 def test_payload_pose_follows_its_own_axes() -> None:
     tip = Pose(np.array([1.0, 2.0, 3.0]), rotation_x(math.pi / 2))
-    payload = Payload(100.0, rotation_x(math.pi / 2), np.array([4.0, 0.0, 1.0]), np.array([0.0, 0.5, 0.0]))
+    payload = HeldPayload(100.0, rotation_x(math.pi / 2), np.array([4.0, 0.0, 1.0]), np.array([0.0, 0.5, 0.0]))
     held = payload.pose(tip)
     # frame 7 and T_78 are each rotated by 90 deg about axis 1: axis 3 of the payload is axis -3 of L
     assert held.position == pytest.approx([5.0, 2.0, 2.0])

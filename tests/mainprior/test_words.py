@@ -78,7 +78,8 @@ def test_planes_computed_from_a_frame_have_the_bar_on_the_side_of_those_that_wer
             simulation.advance()
         frame = simulation.look()
         stage = routine().shapes.stage(frame)
-        sent = planes_of(simulation._flight, simulation._state)
+        flight, state = simulation._flight, simulation._state
+        sent = planes_of(flight.site, state.worksite, flight.scenario.control_period)
         made = planes_in(stage, frame.work.task != 1)
         for cluster, own, other in zip((17, 16, 18), sent, made, strict=True):
             if own is None or other is None:

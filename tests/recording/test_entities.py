@@ -20,7 +20,7 @@ from aftdeck.scene.mesh import moved
 from aftdeck.scene.placed import placed
 from aftdeck.scene.solids import solid
 from aftdeck.shapes import Box, Cylinder, Group, Plate, Shape, Sphere
-from aftdeck.worksite.model import Body
+from aftdeck.worksite.body import Body
 from tests.recording.protobuf import Decoder
 
 SMALL = 150_000

@@ -105,7 +105,7 @@ def deepest_overlap(made: Scenario, sim: aftdeck.Simulation) -> float:
     worst = 0.0
     away = np.array(frame.work.orbiter)
     scene = np.diag([1.0, -1.0, -1.0])
-    for cargo, held in zip(made.cargo, frame.work.cargo, strict=True):
+    for cargo, held in zip(made.payloads, frame.work.cargo, strict=True):
         for solid in cargo.solids:
             body = solid.vertices @ np.array(held.orientation).T + np.array(held.position)
             low, high = body.min(axis=0), body.max(axis=0)
@@ -186,7 +186,7 @@ def test_payloads_that_start_inside_each_other_are_rejected() -> None:
 def test_payload_that_is_held_does_not_excuse_two_others_that_overlap() -> None:
     flyer = '[[cargo]]\nname = "free flyer"\nstart = { position = ["28 ft", "0 ft", "-40 ft"] }\n'
     made = resized({}, CONCEPT + flyer)
-    payload, other = made.cargo
+    payload, other = made.payloads
     found = misfits(made.arm.model, made.worksite, (payload, other, other), frozenset(), frozenset({0}))
     assert {one.senseless for one in found if "free flyer and free flyer start where" in one.problem.what} == {True}
 

@@ -119,8 +119,8 @@ def test_latches_move_the_payload_to_its_stowed_pose() -> None:
 def test_docked_payload_is_at_its_port_within_tolerance() -> None:
     for name in ("concept-1972-script", "free-flyer"):
         done = flown(name)
-        (port,) = (seat for seat in done.scenario.worksite.seats if seat.name == "port")
-        (cargo,) = done.scenario.cargo
+        (port,) = (seat for seat in done.scenario.worksite.berths if seat.name == "port")
+        (cargo,) = done.scenario.payloads
         mount, docked = done.scenario.arm.model.mount, done.at("docked")
         assert cargo.probe is not None
         # R: X aft, Y port, Z down; the scene: x aft, y starboard, z up, both from the telescope's foot
@@ -133,7 +133,7 @@ def test_docked_payload_is_at_its_port_within_tolerance() -> None:
 @pytest.mark.slow
 def test_free_flyer_stays_in_its_deadband_until_captured() -> None:
     done = flown("free-flyer")
-    (flyer,) = done.scenario.cargo
+    (flyer,) = done.scenario.payloads
     assert flyer.limit_cycle is not None
     most = float(np.linalg.norm(flyer.limit_cycle.deadband))
     free = done.work[: next(done.tick(e) for e in done.events if e.kind == "acquired") - 1]

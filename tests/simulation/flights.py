@@ -143,7 +143,7 @@ def movers(scenario: Scenario, frame: Frame) -> set[str]:
     """Return the parts that move with the arm: its own parts, and those of the payload that is held in a frame."""
     own = set(arm_parts("srms" if scenario.worksite.name == "orbiter" else "concept-1972"))
     held = [cargo.name for cargo in frame.work.cargo if cargo.held]
-    return own | {solid.part for cargo in scenario.cargo if cargo.name in held for solid in cargo.solids}
+    return own | {solid.part for cargo in scenario.payloads if cargo.name in held for solid in cargo.solids}
 
 
 def harmful(scenario: Scenario, frame: Frame) -> dict[Pair, Near]:

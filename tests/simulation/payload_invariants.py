@@ -40,7 +40,7 @@ def in_space(frame: Frame, cargo: Cargo) -> tuple[Array, Array]:
 
 def at_berth(scenario: Scenario, frame: Frame, cargo: Cargo) -> tuple[Array, Array]:
     """Return a fixed payload's centre [m] and axes relative to its berth."""
-    (seat,) = (seat for seat in scenario.worksite.seats if seat.name == cargo.seat)
+    (seat,) = (seat for seat in scenario.worksite.berths if seat.name == cargo.seat)
     return in_space(frame, cargo) if seat.frame == "space" else posed(cargo)
 
 
@@ -51,7 +51,7 @@ def moved(one: tuple[Array, Array], other: tuple[Array, Array]) -> tuple[float, 
 
 def check_possession(scenario: Scenario, frames: list[Frame]) -> None:
     """Check every frame, and the motion of each payload in every step."""
-    names = [cargo.name for cargo in scenario.cargo]
+    names = [cargo.name for cargo in scenario.payloads]
     for frame in frames:
         check_frame(names, frame)
     for before, now in in_turn(frames):
@@ -103,7 +103,7 @@ def check_step(scenario: Scenario, before: Frame, now: Frame, was: Cargo, is_now
 
 def drawn(scenario: Scenario, cargo: Cargo) -> bool:
     """Return whether the berth of a payload has latches that draw it in."""
-    return any(seat.latch == "command" for seat in scenario.worksite.seats if seat.name == cargo.seat)
+    return any(seat.closes == "on command" for seat in scenario.worksite.berths if seat.name == cargo.seat)
 
 
 def _fixed_as(was: Cargo, is_now: Cargo) -> Cargo:

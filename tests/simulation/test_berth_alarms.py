@@ -80,22 +80,22 @@ def counted(side: float = 0.0, tilt: float = 0.0) -> tuple[Array, Array, Array]:
     """
     sim = above_the_berth()
     site, worksite = sim._flight.site, sim._state.worksite
-    row = site.cargo_row(0)
-    [berth] = site.berths[0]
+    row = site.payload_row(0)
+    [fit] = site.fits[0]
     frames = worksite.frames.copy()
-    off = berth.offset(frames, row)
+    off = fit.offset(frames, row)
     frames[row, :3] -= frames[row, 3:].reshape(3, 3) @ off[:3]  # into the berth
     frames[row, 3:] = (frames[row, 3:].reshape(3, 3) @ off[3:].reshape(3, 3).T).ravel()
     rotation = frames[row, 3:].reshape(3, 3)
     c, s = np.cos(tilt), np.sin(tilt)
-    along = float(off[:3] @ berth.way_out)
-    across = np.cross(berth.way_out, [1.0, 0.0, 0.0])
-    frames[row, :3] += rotation @ (along * berth.way_out + side * across)
+    along = float(off[:3] @ fit.way_out)
+    across = np.cross(fit.way_out, [1.0, 0.0, 0.0])
+    frames[row, :3] += rotation @ (along * fit.way_out + side * across)
     frames[row, 3:] = (rotation @ np.array([[1, 0, 0], [0, c, -s], [0, s, c]])).ravel()
     watch = ClearanceMonitor(site.layout)
     watch.update(frames, frames, 1.0)
     counts, _ = alarm_pairs(site, 0, watch, frames, None, -1, worksite.contacts, worksite.permitted)
-    pairs = site.seated[0, berth.seat.name] != 0
+    pairs = site.seated[0, fit.berth.name] != 0
     return pairs & (counts != 0), pairs & (counts == 0), watch.found[:, CLEARANCE]
 
 
@@ -126,15 +126,15 @@ def test_every_pair_counts_away_from_the_way_in(side: float, tilt: float) -> Non
 def test_clearances_on_the_way_are_those_of_the_solids(step: int) -> None:
     sim = above_the_berth()
     site, solids = sim._flight.site, all_solids(sim.scenario)
-    [berth] = site.berths[0]
-    turn = berth.place[3:].reshape(3, 3)
-    place = berth.place[:3] + step * STEP * turn @ berth.way_out
+    [fit] = site.fits[0]
+    turn = fit.place[3:].reshape(3, 3)
+    place = fit.place[:3] + step * STEP * turn @ fit.way_out
     found, layout = clearances_on_way(site, 0, 0)[step], site.layout
     for group in np.argsort(found)[:4].tolist():
         pairs = layout.pairs[layout.begins[group] : layout.begins[group + 1]].tolist()
         placed = [
             [
-                solids[k].vertices @ turn.T + place if solids[k].frame == site.cargo[0].name else solids[k].vertices
+                solids[k].vertices @ turn.T + place if solids[k].frame == site.payloads[0].name else solids[k].vertices
                 for k in pair
             ]
             for pair in pairs
@@ -171,10 +171,10 @@ def test_a_payload_that_leaves_the_way_sideways_is_warned_before_it_touches(step
         watch = ClearanceMonitor(site.layout)
         watch.active = state.worksite.watch.active.copy()
         watch.update(state.worksite.frames, state.worksite.frames, 1.0)
-        pairs = (site.seated[0, site.berths[0][0].seat.name] != 0) & (site.detrimental != 0)
+        pairs = (site.seated[0, site.fits[0][0].berth.name] != 0) & (site.detrimental != 0)
         least = float(watch.found[pairs, CLEARANCE].min())
-        offset = site.berths[0][0].offset(state.worksite.frames, site.cargo_row(0))[:3]
-        along = max(0, int(float(offset @ site.berths[0][0].way_out) / STEP))
+        offset = site.fits[0][0].offset(state.worksite.frames, site.payload_row(0))[:3]
+        along = max(0, int(float(offset @ site.fits[0][0].way_out) / STEP))
         on_way = float(clearances_on_way(site, 0, 0)[along : along + 2][:, pairs].min())
         closest = min(closest, least)
         if least < 0.5 * on_way - 1e-3 and least < flight.scenario.caution:

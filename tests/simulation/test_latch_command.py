@@ -84,7 +84,7 @@ def test_latches_fix_floating_payload_if_trunnions_are_ready(seed: int, spread: 
     """Examples that start inside another body are left out, because loading rejects them."""
     rng = np.random.default_rng(seed)
     off = spread * rng.uniform(-0.05, 0.05, 3) * [1.0, 0.4, 0.2] + [0.0, 0.0, 0.04 * spread]
-    place = np.array(load_worksite("orbiter").seats[0].pose.position) / FOOT + off / FOOT
+    place = np.array(load_worksite("orbiter").berths[0].pose.position) / FOOT + off / FOOT
     table = floating(place, spread * rng.uniform(-0.2, 0.2, 3))
     text = srms(60.0).text.replace('name = "payload"', table)
     try:

@@ -15,7 +15,7 @@ import aftdeck
 from aftdeck.errors import InputError
 from aftdeck.simulation.parts.checking import Rehearsed
 from aftdeck.simulation.parts.standing import Standing
-from aftdeck.simulation.payloads.grasp import update_steering
+from aftdeck.simulation.payloads.grasp import carried_by
 from aftdeck.simulation.resume import restore_clearances, resume
 from aftdeck.simulation.state import State
 from aftdeck.state_part import Cache, StatePart, copied, digest, encoded
@@ -189,7 +189,7 @@ def forget_everything(sim: aftdeck.Simulation, lost: set[str]) -> None:
     state.standing = Standing(flown.scenario.arm)
     if state.checking is not None:
         state.checking.rehearsal = Rehearsed()
-    update_steering(flown, state)
+    state.carried = carried_by(flown.scenario, flown.site, state.worksite, state.script)
     restore_clearances(flown, state.worksite)
 
 

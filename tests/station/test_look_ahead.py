@@ -29,8 +29,8 @@ def test_ghost_has_the_poses_that_the_bodies_reach(name: str) -> None:
     shown = displays.frame(frame, 0)
     bodies = {body.name: i for i, body in enumerate(welcome.bodies)}
     assert len(ahead.poses) == 7 * len(welcome.ghost)
-    assert {bodies[cargo.name] for cargo in scenario.cargo} <= set(welcome.ghost)
-    free = {cargo.name for cargo in scenario.cargo if not cargo.start.seat}
+    assert {bodies[cargo.name] for cargo in scenario.payloads} <= set(welcome.ghost)
+    free = {cargo.name for cargo in scenario.payloads if not cargo.start.berth}
     for k, body in enumerate(welcome.ghost):
         if welcome.bodies[body].name in free:
             continue  # a free payload drifts; the look-ahead predicts only the motion by the sticks

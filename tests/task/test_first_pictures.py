@@ -13,7 +13,7 @@ from aftdeck.arrays import Array
 from aftdeck.bodies.cameras import Camera
 from aftdeck.scenario.all_cameras import cameras_of
 from aftdeck.scenario.load import built_in
-from aftdeck.scenario.target import AtSeat
+from aftdeck.scenario.target import AtBerth
 from aftdeck.scene.cameras import SceneCameras, turn
 from aftdeck.simulation.frame import Frame
 from tests.loaded import scenario
@@ -46,7 +46,7 @@ def tip(cameras: SceneCameras, frame: Frame) -> Array:
 def television(name: str) -> list[Camera]:
     """Return the television cameras that do not move with the arm."""
     flown = scenario(name)
-    moved = {*flown.arm.model.frames, *(cargo.name for cargo in flown.cargo)}
+    moved = {*flown.arm.model.frames, *(cargo.name for cargo in flown.payloads)}
     return [camera for camera in cameras_of(flown) if camera.kind == "camera" and camera.body not in moved]
 
 
@@ -62,12 +62,12 @@ def test_two_pictures_show_the_tip_at_the_start(name: str) -> None:
 def test_cameras_of_a_step_show_the_berth_of_its_target(name: str) -> None:
     """All steps that name cameras move a payload to, or out of, a berth; one of the two pictures shows the berth."""
     flown, cameras, frame = scenario(name), SceneCameras(scenario(name)), start(name)
-    seats = {seat.name: seat for seat in flown.worksite.seats}
+    seats = {seat.name: seat for seat in flown.worksite.berths}
     steps = [step for step in flown.steps if step.cameras]
     assert steps
     for step in steps:
-        assert isinstance(step.target, AtSeat)
-        berth = seats[step.target.seat].pose.position  # in the orbiter's frame or in space: at the start, the scene's
+        assert isinstance(step.target, AtBerth)
+        berth = seats[step.target.berth].pose.position  # in the orbiter's frame or in space: at the start, the scene's
         assert min(edge(cameras, frame, camera, berth) for camera in step.cameras) < ROOM, step.title
 
 
@@ -107,7 +107,7 @@ def test_free_flyer_shows_tip_and_flyer(camera: str) -> None:
 def test_the_payload_s_camera_shows_its_probe_and_the_place_ahead_of_it(ahead_ft: float) -> None:
     """In the step before docking, the port is 1.5 ft ahead of the probe."""
     flown, cameras, frame = scenario("concept-1972"), SceneCameras(scenario("concept-1972")), start("concept-1972")
-    (cargo,) = flown.cargo
+    (cargo,) = flown.payloads
     assert cargo.probe is not None
     body = cameras.bodies_at(frame)[cargo.name]
     point = cargo.probe.position - np.array([0.3048 * ahead_ft, 0.0, 0.0])

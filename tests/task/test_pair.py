@@ -10,7 +10,7 @@ import pytest
 
 from aftdeck.arms.solids import solids_of
 from aftdeck.scenario.model import Scenario
-from aftdeck.scenario.target import AtCargo, AtSeat
+from aftdeck.scenario.target import AtBerth, AtPayload
 from aftdeck.simulation.inputs import Inputs
 from aftdeck.simulation.run import Simulation
 from aftdeck.task.pair import TaskPairs
@@ -29,34 +29,34 @@ def found(
     return TaskPairs(made).nearest(sim.watched, frame, None if at is None else made.steps[at]), sim
 
 
-def step_to(made: Scenario, kind: type[AtCargo] | type[AtSeat]) -> int:
+def step_to(made: Scenario, kind: type[AtPayload] | type[AtBerth]) -> int:
     return next(i for i, step in enumerate(made.steps) if isinstance(step.target, kind))
 
 
 @pytest.mark.parametrize("name", ["concept-1972", "srms-deploy", "free-flyer"])
 def test_pair_on_the_way_to_a_payload_is_a_part_of_the_arm_and_a_part_of_the_payload(name: str) -> None:
     made = scenario(name)
-    pair, sim = found(made, step_to(made, AtCargo))
+    pair, sim = found(made, step_to(made, AtPayload))
     assert pair is not None
-    target = Aims(made).target(sim.look(), made.steps[step_to(made, AtCargo)])
-    assert isinstance(target, AtCargo)
-    own = {solid.part for solid in made.cargo[target.cargo].solids}
+    target = Aims(made).target(sim.look(), made.steps[step_to(made, AtPayload)])
+    assert isinstance(target, AtPayload)
+    own = {solid.part for solid in made.payloads[target.payload].solids}
     assert (pair.a in own) != (pair.b in own)
 
 
 def test_pair_on_the_way_to_a_berth_is_a_part_of_the_payload_and_a_part_beside_the_berth() -> None:
     made = scenario("srms-berth")
-    pair, _ = found(made, step_to(made, AtSeat))
+    pair, _ = found(made, step_to(made, AtBerth))
     assert pair is not None
-    own = {solid.part for solid in made.cargo[0].solids}
+    own = {solid.part for solid in made.payloads[0].solids}
     beside = {solid.part for solid in made.worksite.solids}
     assert {pair.a, pair.b} & own and {pair.a, pair.b} & beside
 
 
 def test_no_monitored_pair_of_arm_and_payload_is_nearer() -> None:
     made = scenario("concept-1972")
-    pair, sim = found(made, step_to(made, AtCargo))
-    own = {solid.part for solid in made.cargo[0].solids}
+    pair, sim = found(made, step_to(made, AtPayload))
+    own = {solid.part for solid in made.payloads[0].solids}
     arm = {solid.part for solid in solids_of(made.arm.model)}
     assert pair is not None
     assert pair.clearance == min(
@@ -66,7 +66,7 @@ def test_no_monitored_pair_of_arm_and_payload_is_nearer() -> None:
 
 def test_clearance_of_the_pair_falls_by_the_motion_towards_the_bar() -> None:
     made = scenario("concept-1972")
-    at = step_to(made, AtCargo)
+    at = step_to(made, AtPayload)
     down = Inputs(translation=(0.0, 0.0, 1.0))
     pairs = [found(made, at, down, number) for number in (1, 60)]
     heights = [np.array(sim.look().position)[2] for _, sim in pairs]
@@ -85,6 +85,6 @@ def test_task_without_a_payload_or_a_berth_has_no_pair_and_measures_none(name: s
         pytest.fail("the pairs were measured in vain")
 
     finder = TaskPairs(made)
-    for step in itertools.chain(made.steps, [None] if not made.cargo else []):
-        if step is None or not isinstance(step.target, AtCargo | AtSeat):
+    for step in itertools.chain(made.steps, [None] if not made.payloads else []):
+        if step is None or not isinstance(step.target, AtPayload | AtBerth):
             assert finder.nearest(never, frame, step) is None

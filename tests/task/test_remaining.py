@@ -11,7 +11,7 @@ import pytest
 from scipy.spatial.transform import Rotation
 
 from aftdeck.scenario.schema import Plant
-from aftdeck.scenario.target import AtCargo, AtSeat, InFrame
+from aftdeck.scenario.target import AtBerth, AtPayload, InFrame
 from aftdeck.scenario.task_file import StateSpec
 from aftdeck.scenario.task_step import TaskStep
 from aftdeck.scene.stick_axes import StickAxes
@@ -28,7 +28,7 @@ from tests.loaded import scenario
 STILL = Inputs()
 
 
-def step_to(target: AtCargo | AtSeat | InFrame) -> TaskStep:
+def step_to(target: AtPayload | AtBerth | InFrame) -> TaskStep:
     """Return a step with a target."""
     return TaskStep("", "", StateSpec(), target, None, 0.0, None, (), (), (), (), None, ())
 
@@ -50,19 +50,19 @@ def test_carriers_are_where_the_simulation_has_them(name: str, plant: Plant) -> 
 def test_payload_in_its_berth_has_nothing_left() -> None:
     sim = Simulation(scenario("concept-1972"))
     frame = sim.step(Inputs(initialise="extraction"))
-    left = Aims(sim.scenario).remaining(frame, step_to(AtSeat("bay")))
+    left = Aims(sim.scenario).remaining(frame, step_to(AtBerth("bay")))
     assert left is not None
     assert left.arrived
     assert left.distance == pytest.approx(0.0, abs=1e-6)
-    assert Places(sim.scenario).above(frame, AtSeat("bay", above=1.0)) == pytest.approx(0.0, abs=1e-6)
+    assert Places(sim.scenario).above(frame, AtBerth("bay", above=1.0)) == pytest.approx(0.0, abs=1e-6)
 
 
 def test_place_is_reached_when_all_conditions_of_the_capture_hold() -> None:
     sim = Simulation(scenario("srms-deploy"))
     aims, ready, beyond = Aims(sim.scenario), 0, 0
     while not (frame := sim.step()).work.cargo[0].held:
-        left = aims.remaining(frame, step_to(AtCargo(0)))
-        above = aims.remaining(frame, step_to(AtCargo(0, above=1.0)))
+        left = aims.remaining(frame, step_to(AtPayload(0)))
+        above = aims.remaining(frame, step_to(AtPayload(0, above=1.0)))
         assert left is not None and above is not None
         if all_ready(frame.work.conditions):
             ready += 1
@@ -75,8 +75,8 @@ def test_place_is_reached_when_all_conditions_of_the_capture_hold() -> None:
 def test_height_above_a_payload_is_measured_back_along_the_end_effector() -> None:
     sim = Simulation(scenario("tutorial"))
     places, frame = Places(sim.scenario), sim.step(STILL)
-    high = places.above(frame, AtCargo(0))
-    assert high == pytest.approx(places.above(frame, AtCargo(0, above=0.3)))
+    high = places.above(frame, AtPayload(0))
+    assert high == pytest.approx(places.above(frame, AtPayload(0, above=0.3)))
     assert high == pytest.approx(2.0, abs=0.02)  # the scenario begins 2 m above the fixture
 
 
@@ -84,7 +84,7 @@ def test_height_above_a_payload_is_measured_back_along_the_end_effector() -> Non
 def test_only_a_place_far_from_a_payload_or_a_berth_is_named_above_or_before_it(name: str) -> None:
     loaded = scenario(name)
     aims, frame = Aims(loaded), Simulation(loaded).step(STILL)
-    targets = [step.target for step in loaded.steps if isinstance(step.target, AtCargo | AtSeat)]
+    targets = [step.target for step in loaded.steps if isinstance(step.target, AtPayload | AtBerth)]
     for target in {targets[0], targets[-1]}:
         names = {}
         for above in (0.0, 0.09, 0.11, 3.0):
@@ -133,7 +133,7 @@ def test_rotation_to_go_turns_the_payload_in_either_law_of_orb_ld(payload_axes: 
     sim.step(Inputs(mode="ORB LD", payload_axes=payload_axes))
     frame = sim.step(STILL)
     assert frame.law == (7 if payload_axes else 4)
-    left = Aims(sim.scenario).remaining(frame, step_to(AtSeat("bay", above=3.0)))
+    left = Aims(sim.scenario).remaining(frame, step_to(AtBerth("bay", above=3.0)))
     assert left is not None and left.motion is not None
     along = along_sticks(left, frame, StickAxes(sim.scenario).in_l(frame))
     assert along is not None
@@ -147,17 +147,17 @@ def test_shift_moves_the_drawn_payload_into_its_berth() -> None:
     sim = Simulation(scenario("srms-berth"))
     displays, aims = Displays(sim.scenario), Aims(sim.scenario)
     frame = sim.step(STILL)
-    seat = next(seat for seat in sim.scenario.worksite.seats if seat.name == "bay")
+    seat = next(seat for seat in sim.scenario.worksite.berths if seat.name == "bay")
     shown = displays.frame(frame, 0).display
     assert shown.to_go is None  # the berth is too far to be an objective
-    left = aims.remaining(frame, step_to(AtSeat("bay")))
+    left = aims.remaining(frame, step_to(AtBerth("bay")))
     assert left is not None
     message = to_go(left, frame, displays._poses, (np.eye(3), np.eye(3)))
     x, y, z, *payload_turn = shown.poses[-7:]
     px, py, pz, *turn = message.shift
     moving = Rotation.from_quat([*turn[1:], turn[0]])
     moved = np.add(moving.apply([x, y, z]), [px, py, pz])
-    seated = seat.seated(sim.scenario.cargo[0].probe)
+    seated = seat.seated(sim.scenario.payloads[0].probe)
     assert moved == pytest.approx(seated.position, abs=1e-5)  # the scene is the orbiter's frame
     turned = moving * Rotation.from_quat([*payload_turn[1:], payload_turn[0]])
     assert turned.as_matrix() == pytest.approx(seated.rotation, abs=1e-5)

@@ -48,7 +48,7 @@ def test_the_docking_port_is_a_disc_on_the_face_of_its_body() -> None:
     port = max(dark, key=lambda k: float(np.ptp(drawn[k].surface.vertices, axis=0).max()))  # the others are lenses
     [mark] = [m for m, shape in enumerate(found.shapes) if shape == port]
     points = found.marks.points[found.marks.begins[mark] : found.marks.begins[mark + 1]]
-    [seat] = [seat for seat in loaded.scenario("concept-1972").worksite.seats if seat.name == "port"]
+    [seat] = [seat for seat in loaded.scenario("concept-1972").worksite.berths if seat.name == "port"]
     radius = 0.3048
     assert np.abs(points.mean(axis=0) - seat.pose.position).max() < 1e-6
     assert np.abs(np.linalg.norm(points - seat.pose.position, axis=1) - radius).max() < 1e-6

@@ -15,12 +15,10 @@ from aftdeck.bodies.pose import HERE, row_of
 from aftdeck.errors import InputError
 from aftdeck.frames import Pose, rotation_x, rotation_y, rotation_z
 from aftdeck.units import INCH
-from aftdeck.worksite.conditions import Condition, all_hold, condition_text, failing, rejection_text
-from aftdeck.worksite.log_line import LogLine
-from aftdeck.worksite.seats.berthing import (
+from aftdeck.worksite.berths.berthing import (
     OFFSET,
+    BerthTolerances,
     Guide,
-    SeatTolerances,
     in_guides,
     offsets,
     prepare,
@@ -28,9 +26,11 @@ from aftdeck.worksite.seats.berthing import (
     retained,
     switches,
 )
-from aftdeck.worksite.seats.latches import Latches, advance
+from aftdeck.worksite.berths.latches import Latches, advance
+from aftdeck.worksite.conditions import Condition, all_hold, condition_text, failing, rejection_text
+from aftdeck.worksite.log_line import LogLine
 
-TOLERANCES = SeatTolerances(0.05, radians(1.0))
+TOLERANCES = BerthTolerances(0.05, radians(1.0))
 HEIGHT, HALF_ANGLE, THROAT, PLAY = 24.0 * INCH, radians(17.0), 0.02, 0.05
 PORT = Guide("forward port", (1.0, -2.386, 0.36), (0.0, 0.0, 1.0), (1.0, 0.0, 0.0), HALF_ANGLE, HEIGHT, THROAT, PLAY)
 STARBOARD = msgspec.structs.replace(PORT, name="aft starboard", seat=(4.0, 2.386, 0.36))

@@ -20,8 +20,9 @@ from aftdeck.frames import Pose
 from aftdeck.kinematics.frames import frames_of, place_frames
 from aftdeck.scenario.load import load_scenario
 from aftdeck.simulation.constants.site import site_of
-from aftdeck.worksite import Cargo, Worksite, load_worksite
-from aftdeck.worksite.model import BarAcquisition
+from aftdeck.worksite import Payload, Worksite, load_worksite
+from aftdeck.worksite.berths.port import Port
+from aftdeck.worksite.capture.bar import BarFile
 
 FOOT = 0.3048
 REPORT = np.diag([1.0, -1.0, -1.0])
@@ -75,7 +76,7 @@ def test_shapes_of_a_body_have_the_vertices_of_its_solids(concept: Worksite) -> 
 
 
 def test_payload_has_its_expected_clearances_in_the_bay(concept: Worksite) -> None:
-    payload = concept.cargoes[0]
+    payload = concept.payloads[0]
     pose = payload.start.pose
     gaps = {
         solid.part: min(
@@ -90,7 +91,7 @@ def test_payload_has_its_expected_clearances_in_the_bay(concept: Worksite) -> No
 
 
 def test_payload_is_a_hexagonal_prism_with_a_flat_on_top(concept: Worksite) -> None:
-    own = [solid.vertices for solid in concept.cargoes[0].solids if solid.part == "payload"]
+    own = [solid.vertices for solid in concept.payloads[0].solids if solid.part == "payload"]
     apothem = 6.5 * math.cos(math.radians(30.0))
     assert len(own) == 2
     assert extent(own) == pytest.approx(np.array([[-15.0, -6.5, -apothem], [15.0, 6.5, apothem]]))
@@ -98,7 +99,7 @@ def test_payload_is_a_hexagonal_prism_with_a_flat_on_top(concept: Worksite) -> N
 
 def test_receptacle_is_numbered_as_in_the_report(concept: Worksite) -> None:
     """Face c is on top, b and e are the sides towards -Y and +Y (port), a and f the ends; 3 by 0.5 by 0.75 ft."""
-    cargo = concept.cargoes[0]
+    cargo = concept.payloads[0]
     bar = cargo.receptacle
     assert bar is not None
     body = hexahedron(bar)
@@ -111,9 +112,9 @@ def test_receptacle_is_numbered_as_in_the_report(concept: Worksite) -> None:
 
 
 def test_docked_payload_has_its_probe_tip_at_the_port_centre(concept: Worksite) -> None:
-    port = concept.seats[0]
+    port = concept.berths[0]
     assert port.pose.position / FOOT == pytest.approx([-4.0, -16.0, 22.0])
-    for cargo in concept.cargoes:
+    for cargo in concept.payloads:
         assert cargo.probe is not None
         seated = port.seated(cargo.probe)
         tip = seated.rotation @ cargo.probe.position + seated.position
@@ -127,7 +128,8 @@ def test_docked_payload_has_its_probe_tip_at_the_port_centre(concept: Worksite) 
 
 
 def test_docking_envelope_is_a_wedge_that_closes_one_apothem_out(concept: Worksite) -> None:
-    port = concept.seats[0]
+    port = concept.berths[0]
+    assert isinstance(port, Port)
 
     def inside(x: float, y: float, z: float) -> bool:
         planes = port.envelope
@@ -147,20 +149,20 @@ def test_docking_envelope_is_a_wedge_that_closes_one_apothem_out(concept: Worksi
 @pytest.mark.parametrize(("name", "stand"), [("payload", 16.0), ("free flyer", 12.0)])
 def test_arm_reaches_each_bar_at_the_start_in_the_bay_and_docked(concept: Worksite, name: str, stand: float) -> None:
     arm = aftdeck.load_arm("concept-1972").at(stand=stand * FOOT)
-    cargo = next(cargo for cargo in concept.cargoes if cargo.name == name)
+    cargo = next(cargo for cargo in concept.payloads if cargo.name == name)
     assert cargo.receptacle is not None
     top = float(cargo.receptacle[:, 2].max())
-    for pose in (cargo.start.pose, *(seat.seated(cargo.probe) for seat in concept.seats)):
+    for pose in (cargo.start.pose, *(seat.seated(cargo.probe) for seat in concept.berths)):
         bar = pose.rotation @ [0.0, 0.0, top + 0.03 * FOOT] + pose.position
         assert len(arm.inverse(Pose(REPORT @ bar, DOWN))) > 0
 
 
 def test_tolerances_are_those_of_the_report(concept: Worksite) -> None:
     rules = concept.acquisition
-    assert isinstance(rules, BarAcquisition)
+    assert isinstance(rules, BarFile)
     assert (rules.window / FOOT, rules.front / FOOT, rules.rear / FOOT) == pytest.approx((1 / 16, 0.5, 0.5))
     assert rules.fingers_within / FOOT == pytest.approx(8.0)
-    port = concept.seats[0]
+    port = concept.berths[0]
     assert (port.distance / FOOT, math.degrees(port.angle)) == pytest.approx((0.25, 2.0 + 32.0 / 60.0))
 
 
@@ -195,14 +197,14 @@ def seen(worksite: Worksite, name: str, point: Array, pose: Pose) -> bool:
 )
 def test_camera_sees_the_bar_or_the_port_at_the_start(concept: Worksite, name: str, at: str) -> None:
     """Cameras A to D and the payload's own camera P2 see the payload's bar in the bay; H and I see the port."""
-    payload: Cargo = concept.cargoes[0]
+    payload: Payload = concept.payloads[0]
     still = Pose(np.zeros(3), np.eye(3))
     body = next(camera for camera in concept.cameras if camera.name == name).body
     pose = next((b.pose for b in concept.bodies if b.name == body), payload.start.pose if body == "payload" else still)
     start = payload.start.pose
     bar = start.position + start.rotation @ [0.0, 0.0, 6.2 * FOOT]
     if at == "port":
-        docked = concept.seats[0].seated(payload.probe)
+        docked = concept.berths[0].seated(payload.probe)
         assert seen(concept, name, docked.position, pose)
     else:
         assert seen(concept, name, bar, pose)
@@ -211,7 +213,7 @@ def test_camera_sees_the_bar_or_the_port_at_the_start(concept: Worksite, name: s
 def test_every_payload_carries_two_cameras_that_see_its_probe_and_its_bar(concept: Worksite) -> None:
     """RMS-VS, section VII.5."""
     still = Pose(np.zeros(3), np.eye(3))
-    for cargo in concept.cargoes:
+    for cargo in concept.payloads:
         to_probe, to_bar = (camera.name for camera in concept.cameras if camera.body == cargo.name)
         assert cargo.probe is not None and cargo.receptacle is not None
         assert seen(concept, to_probe, cargo.probe.position, still)

@@ -13,8 +13,7 @@ from aftdeck.arrays import Array
 from aftdeck.errors import InputError
 from aftdeck.frames import rotation_x, rotation_y, rotation_z
 from aftdeck.units import FOOT
-from aftdeck.worksite.conditions import all_hold, condition_text, failing
-from aftdeck.worksite.seats.docking import (
+from aftdeck.worksite.berths.docking import (
     BEFORE,
     DISTANCE,
     FOUND,
@@ -25,6 +24,7 @@ from aftdeck.worksite.seats.docking import (
     docking,
     envelope,
 )
+from aftdeck.worksite.conditions import all_hold, condition_text, failing
 from tests.bodies.shapes import rotations
 
 SEEDS = st.integers(0, 2**32 - 1)

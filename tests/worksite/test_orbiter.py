@@ -23,6 +23,7 @@ from aftdeck.scene.placed import Leaf, placed
 from aftdeck.scene.solids import solid
 from aftdeck.shapes import Light, Ring
 from aftdeck.worksite import Worksite, load_worksite, worksites
+from aftdeck.worksite.berths.bay import BayBerth
 from aftdeck.worksite.file.check import distance
 
 INCH = 0.0254
@@ -75,7 +76,7 @@ def test_payload_shapes_except_the_pin_lie_inside_its_solids(name: str) -> None:
         (kind, of): 0.0071 for kind, of in [("Cylinder", "foil"), ("Cylinder", "structure"), ("Box", "structure")]
     }
     allowed |= {("Box", "bright"): 0.0201, ("Box", "dark"): 0.0201}
-    for cargo in load_worksite(name).cargoes:
+    for cargo in load_worksite(name).payloads:
         for shape, pose in placed(cargo.shapes):
             if isinstance(shape, Light):
                 continue
@@ -91,7 +92,7 @@ def test_perfect_capture_leaves_clearance_to_the_target_rod(orbiter: Worksite) -
 
     Wrist camera and wrist light are more than 0.4 m away from the rod.
     """
-    (cargo,) = orbiter.cargoes
+    (cargo,) = orbiter.payloads
     assert cargo.grapple is not None
     model = aftdeck.load_arm("srms").model
     *_, target = (body.vertices for body in cargo.solids if body.part == "payload grapple fixture")
@@ -125,7 +126,7 @@ def test_payload_envelope_of_90_in_radius_is_clear_in_the_bay(orbiter: Worksite)
 
 
 def test_latched_payload_contacts_only_the_latches(orbiter: Worksite) -> None:
-    (cargo,) = orbiter.cargoes
+    (cargo,) = orbiter.payloads
     pose = cargo.start.pose
     for own in cargo.solids:
         vertices = own.vertices @ pose.rotation.T + pose.position
@@ -139,7 +140,7 @@ def test_latched_payload_contacts_only_the_latches(orbiter: Worksite) -> None:
 
 def test_trunnions_are_at_their_published_positions_over_the_latches(orbiter: Worksite) -> None:
     """Longeron: Yo 93.925, Zo 414.05, an attach point every 3.933 from Xo 608.80 on; keel: Yo 0, Zo 305.025 [in]."""
-    (cargo,) = orbiter.cargoes
+    (cargo,) = orbiter.payloads
     pose = cargo.start.pose
     places = (cargo.trunnions @ pose.rotation.T + pose.position) / INCH + [942.0, 0.0, 400.0]
     *pairs, keel = places
@@ -159,7 +160,7 @@ def test_trunnions_are_at_their_published_positions_over_the_latches(orbiter: Wo
 
 
 def test_arm_reaches_the_grapple_fixture_in_the_bay(orbiter: Worksite) -> None:
-    (cargo,) = orbiter.cargoes
+    (cargo,) = orbiter.payloads
     assert cargo.grapple is not None
     arm = aftdeck.load_arm("srms")
     pose, grapple = cargo.start.pose, cargo.grapple
@@ -191,18 +192,19 @@ def test_orbiter_origin_equals_the_scene_origin(orbiter: Worksite) -> None:
 
 def test_berth_guides_match_the_latch_solids(orbiter: Worksite) -> None:
     """Low and high in the V, a trunnion has the same clearance to the latch solids as to the berth's guides."""
-    (seat,) = orbiter.seats
-    (cargo,) = orbiter.cargoes
-    assert seat.guides is not None
+    (berth,) = orbiter.berths
+    assert isinstance(berth, BayBerth)
+    (cargo,) = orbiter.payloads
+    assert berth.guides is not None
     x, y, z = cargo.trunnions[0] + cargo.start.pose.position
     latches = [body.vertices for body in orbiter.solids if body.part == "latches port"]
     blades = [body for body in latches if abs(body[:, 0].mean() - x) < 0.3]
     top = min(blade[:, 2].max() for blade in blades if blade[:, 2].max() > z)
-    assert top - z == pytest.approx(seat.guides.height, abs=0.02)
+    assert top - z == pytest.approx(berth.guides.height, abs=0.02)
     for height in (0.1, 0.4):
-        free = seat.guides.throat + 1.625 * INCH + height * math.tan(seat.guides.half_angle)
+        free = berth.guides.throat + 1.625 * INCH + height * math.tan(berth.guides.half_angle)
         room = min(distance(np.array([x, y, z + height]), blade) for blade in blades)
-        assert room / math.cos(seat.guides.half_angle) == pytest.approx(free, abs=0.02)
+        assert room / math.cos(berth.guides.half_angle) == pytest.approx(free, abs=0.02)
 
 
 def test_trunnion_contacts_with_both_latch_rows_are_essential(orbiter: Worksite) -> None:

@@ -20,8 +20,8 @@ from aftdeck.units import INCH
 from aftdeck.worksite.capture.grapple import CaptureEnvelope, in_envelope
 from aftdeck.worksite.capture.snare import Flags, Snare, SnareCommand, SnareTimes, advance, flags
 from aftdeck.worksite.conditions import Condition, all_hold, failing
+from aftdeck.worksite.draw_in import remaining
 from aftdeck.worksite.log_line import LogLine
-from aftdeck.worksite.seats.draw_in import remaining
 
 ENVELOPE = CaptureEnvelope(4.0 * INCH, -0.001, 4.0 * INCH, radians(10.0), radians(10.0), radians(10.0))
 TIMES = SnareTimes(2.5, 7.0, 4.0)

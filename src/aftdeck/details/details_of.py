@@ -19,5 +19,5 @@ def details_of(scenario: Scenario) -> tuple[tuple[Shape, ...], ...]:
     found += shapes_of(scenario.arm.model).details.values()
     if draws_payload(scenario) and scenario.payload is not None:
         found.append(payload_details(scenario.payload.shapes, scenario.payload.mass))
-    found += [cargo.details + payload_details(cargo.shapes, cargo.mass) for cargo in scenario.cargo]
+    found += [payload.details + payload_details(payload.shapes, payload.mass) for payload in scenario.payloads]
     return tuple(found)

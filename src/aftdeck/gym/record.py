@@ -32,7 +32,7 @@ def started(scenario: Scenario, start: Start, step: TaskStep) -> Scenario:
     telescope = scenario.arm.model.telescope is not None
     initial: dict[str, object] = {"joints": start.angles.tolist()} | ({"stand": start.stand} if telescope else {})
     if (held := start.grasped) is not None:
-        grasped = {"cargo": scenario.cargo[held.cargo].name, "joints": held.angles.tolist()}
+        grasped = {"cargo": scenario.payloads[held.payload].name, "joints": held.angles.tolist()}
         initial["grasped"] = grasped | ({"stand": held.stand} if telescope else {})
     steps = tomllib.loads(scenario.text)["step"]
     changes: dict[Where, object] = {("initial",): initial, ("step",): [steps[scenario.steps.index(step)]]}

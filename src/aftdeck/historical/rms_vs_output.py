@@ -20,11 +20,13 @@ from aftdeck.historical.frame_words import STATIONS, ControlWord, Direction, Fra
 from aftdeck.historical.rms_vs_input import PRONG_DIRECTIONS
 from aftdeck.simulation.camera_drives import CameraDrive
 from aftdeck.simulation.constants.flight import Flight
-from aftdeck.simulation.constants.hand import HEXES
+from aftdeck.simulation.constants.site import Site
 from aftdeck.simulation.inputs import Inputs
 from aftdeck.simulation.observe.look_work import all_near
+from aftdeck.simulation.parts.worksite_state import WorksiteState
 from aftdeck.simulation.state import State
 from aftdeck.units import FOOT
+from aftdeck.worksite.capture.bar import HEXES, Bar
 
 INNER = (3, 1, 4)
 """Indices, from 0, of face d of HEX 1, face b of HEX 2 and face e of HEX 3. These faces are next to a held bar."""
@@ -99,7 +101,7 @@ def block_of(flight: Flight, state: State, flown: Inputs, before: Places) -> Blo
         finger_inhibited=inhibit.finger,
         arm_inhibited=inhibit.arm,
     )
-    planes = list(planes_of(flight, state))
+    planes = list(planes_of(flight.site, state.worksite, flight.scenario.control_period))
     for k, plane in enumerate(planes):
         if plane is not None and abs(plane.distance) > FARTHEST:
             unsaid.append(f"D{k + 1}")
@@ -113,18 +115,14 @@ def _bits(switch: Direction, free: bool) -> Direction:
     return switch if free else 0
 
 
-def planes_of(flight: Flight, state: State) -> Planes:
+def planes_of(site: Site, worksite: WorksiteState, period: float) -> Planes:
     """Return D1 to D3 in R. A plane is None if there is no bar, or if hexahedron and bar collide."""
-    bar, held = flight.site.bar, state.worksite.held
-    if bar is not None and held is not None and (solids := bar.solids(held)) is not None:
-        d1, d2, d3 = (
-            _face(state.worksite.watch.placed[solid], face) for solid, face in zip(solids, INNER, strict=False)
-        )
+    bar, held = site.capture, worksite.held
+    if isinstance(bar, Bar) and held is not None and (solids := bar.solids(held)) is not None:
+        d1, d2, d3 = (_face(worksite.watch.placed[solid], face) for solid, face in zip(solids, INNER, strict=False))
         return d1, d2, d3
     near = [
-        pair
-        for pair in all_near(flight.site.layout, state.worksite, flight.scenario.control_period)
-        if pair.a in HEXES and pair.b.endswith("receptacle")
+        pair for pair in all_near(site.layout, worksite, period) if pair.a in HEXES and pair.b.endswith("receptacle")
     ]
     nearest = next((pair.b for pair in near if pair.a == HEXES[0]), None)
     pairs = {pair.a: pair for pair in near if pair.b == nearest and any(pair.normal)}

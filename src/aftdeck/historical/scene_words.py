@@ -117,7 +117,7 @@ class _SceneProgram:
         if not control.finger_inhibited:
             spacing = min(max(spacing - control.prong * self._prong.rate * self._period, closest), widest)
         angles = now.angles if control.arm_inhibited else block.angles
-        cargo = self._carried(work.cargo, angles, stand, held=control.mode != ACQUISITION)
+        payload = self._carried(work.cargo, angles, stand, held=control.mode != ACQUISITION)
         self._last = msgspec.structs.replace(
             now,
             tick=self._tick,
@@ -131,13 +131,13 @@ class _SceneProgram:
                 nearest=None,
                 stand=stand,
                 hand=msgspec.structs.replace(work.hand, spacing=spacing),
-                cargo=cargo,
+                cargo=payload,
             ),
         )
         return self._last
 
     def _carried(
-        self, cargo: tuple[Cargo, ...], angles: tuple[float, ...], stand: float, *, held: bool
+        self, payloads: tuple[Cargo, ...], angles: tuple[float, ...], stand: float, *, held: bool
     ) -> tuple[Cargo, ...]:
         """Return the payloads; the held one moves with the end effector.
 
@@ -145,18 +145,18 @@ class _SceneProgram:
         """
         place_frames(self._arm.joints, np.array(angles), stand, 0.0, self._rows)
         hand = self._rows[self._hand]
-        if not held or not cargo:
+        if not held or not payloads:
             self._held = None
-            return tuple(msgspec.structs.replace(one, held=False) if one.held else one for one in cargo)
+            return tuple(msgspec.structs.replace(one, held=False) if one.held else one for one in payloads)
         if self._held is None:
             point = vec3(hand, 0)
-            nearest = min(range(len(cargo)), key=lambda k: distance(cargo[k].position, point))
-            payload = row_of(Pose(np.array(cargo[nearest].position), np.array(cargo[nearest].orientation)))
+            nearest = min(range(len(payloads)), key=lambda k: distance(payloads[k].position, point))
+            payload = row_of(Pose(np.array(payloads[nearest].position), np.array(payloads[nearest].orientation)))
             relative = np.empty(POSE)
             compose(inverse(hand), payload, relative)
             self._held = nearest, relative
         k, relative = self._held
         at = np.empty(POSE)
         compose(hand, relative, at)
-        moved = msgspec.structs.replace(cargo[k], position=vec3(at, 0), orientation=rows(at, 3), held=True)
-        return (*cargo[:k], moved, *cargo[k + 1 :])
+        moved = msgspec.structs.replace(payloads[k], position=vec3(at, 0), orientation=rows(at, 3), held=True)
+        return (*payloads[:k], moved, *payloads[k + 1 :])

@@ -95,7 +95,7 @@ def observe_payload(seen: Array, payload: Array, carried: Array) -> None:
 
     Args:
         seen: (18 + s,) observed values of the arm, from `observe`.
-        payload: (15,) from `Payload.packed`.
+        payload: (15,) from `HeldPayload.packed`.
         carried: (18,) output.
     """
     for i in range(3):

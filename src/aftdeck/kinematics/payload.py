@@ -21,7 +21,7 @@ PACKED = 15
 
 
 @dataclass(frozen=True, eq=False)
-class Payload:
+class HeldPayload:
     """Payload that the end effector holds.
 
     Attributes:

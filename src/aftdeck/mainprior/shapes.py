@@ -119,13 +119,13 @@ class Shapes:
 
 def _payload(scenario: Scenario) -> str:
     """Return the name of the scenario's payload; a name that no part has if there is none."""
-    if scenario.payload is not None or len(scenario.cargo) > 1:
-        count = "a fixed one" if scenario.payload is not None else len(scenario.cargo)
+    if scenario.payload is not None or len(scenario.payloads) > 1:
+        count = "a fixed one" if scenario.payload is not None else len(scenario.payloads)
         raise InputError(
             f"{scenario.name}: the report's priority routine knows one payload, which the arm acquires; the scenario "
             f"has {count}"
         )
-    return scenario.cargo[0].name if scenario.cargo else "no payload"
+    return scenario.payloads[0].name if scenario.payloads else "no payload"
 
 
 def out_of(tube: Body, sleeve: Body) -> Body:

@@ -66,7 +66,7 @@ def systems_at(scenario: Scenario, frames: dict[str, Placed]) -> dict[System, Pl
     names = scenario.arm.model.linkage.frames
     found: dict[System, Placed] = {"LR": Placed(np.zeros(3), np.eye(3))}
     found.update({system: frames[names[number]] for system, number in ARMS.items()})
-    for payload in scenario.cargo:
+    for payload in scenario.payloads:
         pose = frames[payload.name]
         found["LP"] = Placed(pose.origin, product(pose.axes, OVER))
     if "space" in frames:

@@ -49,7 +49,7 @@ class VcuWriter:
         listed = camera in LISTS and camera in self._scene.cameras
         station = camera if listed else NO_CODE
         frame = sim.look()
-        self._received = kept(self._received, planes_of(flight, state))
+        self._received = kept(self._received, planes_of(flight.site, state.worksite, flight.scenario.control_period))
         block = block_of(self._routine.priority(frame, station, self._received))
         unsaid = [*([] if listed else ["station"]), *block.unsaid]
         self.unsaid.update(unsaid)

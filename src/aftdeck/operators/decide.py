@@ -13,7 +13,7 @@ from aftdeck.arrays import Array
 from aftdeck.bodies.pose import vec3
 from aftdeck.matrices import length, product
 from aftdeck.operators.approach import LINED_UP, Axis, Speeds, deflection, deflections
-from aftdeck.scenario.target import AtCargo, AtSeat
+from aftdeck.scenario.target import AtBerth, AtPayload
 from aftdeck.scenario.task_step import TaskStep
 from aftdeck.simulation.frame import Frame, WayOut
 from aftdeck.simulation.inputs import Inputs
@@ -79,7 +79,7 @@ def operated(frame: Frame, step: TaskStep, remaining: Remaining | None) -> Input
     None if the step needs none now.
     """
     done, hand = step.done, frame.work.hand
-    held = next((cargo for cargo in frame.work.cargo if cargo.held), None)
+    held = next((payload for payload in frame.work.cargo if payload.held), None)
     if MODES[frame.mode].kind == "automatic":
         return Inputs(proceed=frame.sequence == "ready")
     if held is None and done.held:
@@ -90,7 +90,7 @@ def operated(frame: Frame, step: TaskStep, remaining: Remaining | None) -> Input
         return Inputs() if frame.motions else None
     if hand.carriage is not None and "RIGID" not in hand.flags:
         return Inputs()
-    lifted = isinstance(step.target, AtSeat) and step.target.above > CONTACT_M
+    lifted = isinstance(step.target, AtBerth) and step.target.above > CONTACT_M
     if held.seat and (done.fixed is False or (lifted and done.berth is None)):
         return Inputs(latch=None if frame.motions else "unlatch")
     if not held.seat and (done.fixed or done.berth) and all_ready(frame.work.conditions) and _still(frame):
@@ -154,7 +154,7 @@ def moved(
 
 def _rate(frame: Frame, step: TaskStep, distance: float) -> Literal["coarse", "vernier"] | None:
     """Return the rate setting to change to; None for no change."""
-    near = isinstance(step.target, AtCargo | AtSeat) and step.target.above <= CONTACT_M
+    near = isinstance(step.target, AtPayload | AtBerth) and step.target.above <= CONTACT_M
     if near and distance < VERNIER_M and frame.rate == "coarse":
         return "vernier"
     return "coarse" if frame.rate == "vernier" and (not near or distance > COARSE_M) else None

@@ -93,7 +93,7 @@ class Pilot:
         if frame.attached:
             mass = scenario.own_payloads[frame.attached - 1].mass
         else:
-            held = (own.mass for own, now in zip(scenario.cargo, frame.work.cargo, strict=True) if now.held)
+            held = (own.mass for own, now in zip(scenario.payloads, frame.work.cargo, strict=True) if now.held)
             mass = next(held, 0.0)
         if mass not in self._limits:
             self._limits[mass] = por_with(scenario.arm.model, mass, scenario.por)

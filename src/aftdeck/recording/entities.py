@@ -16,7 +16,7 @@ from aftdeck.scene.mesh import Mesh, joined, moved
 from aftdeck.scene.placed import placed
 from aftdeck.scene.solids import solid
 from aftdeck.shapes import Axis, Box, Cylinder, Material, Sphere
-from aftdeck.worksite.model import Body
+from aftdeck.worksite.body import Body
 
 GRAIN = 2.0**-10
 """Rounding increment of the corners of triangles [m]: short numbers compress well."""

@@ -106,9 +106,9 @@ class Viewing:
         for k, body in enumerate(self._worksite):
             if body.fixed_to == "space":
                 moving.append(_transform(ROOT, body.name, _rounded(sevens[7 * k : 7 * k + 7]), time))
-        for cargo in frame.work.cargo:
-            pose = _rounded(self._poses.pose(cargo.position, cargo.orientation))
-            moving.append(_transform(ROOT, cargo.name, pose, time))
+        for payload in frame.work.cargo:
+            pose = _rounded(self._poses.pose(payload.position, payload.orientation))
+            moving.append(_transform(ROOT, payload.name, pose, time))
         if frame.attached and frame.payload is not None:
             centre, axes = frame.payload
             pose = _rounded((*centre, *quaternion(np.array(axes))))

@@ -9,12 +9,13 @@ from aftdeck.arms.shapes import shapes_of
 from aftdeck.bodies.cameras import KINDS, Camera, Setting, setting
 from aftdeck.scenario.model import Scenario
 from aftdeck.worksite.file.check import ARM
-from aftdeck.worksite.model import Cargo, Worksite
+from aftdeck.worksite.model import Worksite
+from aftdeck.worksite.payload import Payload
 
 
 def cameras_of(scenario: Scenario) -> tuple[Camera, ...]:
     """Return a scenario's cameras: television cameras first, then windows, then views for engineers only."""
-    return present_cameras(scenario.arm.model, scenario.worksite, scenario.cargo)
+    return present_cameras(scenario.arm.model, scenario.worksite, scenario.payloads)
 
 
 def first_setting(scenario: Scenario, camera: Camera) -> Setting:
@@ -22,13 +23,13 @@ def first_setting(scenario: Scenario, camera: Camera) -> Setting:
     return scenario.camera_settings.get(camera.name) or setting(camera)
 
 
-def present_cameras(model: ArmModel, worksite: Worksite, payloads: tuple[Cargo, ...]) -> tuple[Camera, ...]:
+def present_cameras(model: ArmModel, worksite: Worksite, payloads: tuple[Payload, ...]) -> tuple[Camera, ...]:
     """Return the cameras of an arm and a worksite with these payloads, in the order of `cameras_of`.
 
     A camera on a payload of the worksite is included if the payload is present. A camera on a frame of the arm is
     included if the arm has that frame.
     """
-    absent = {cargo.name for cargo in worksite.cargoes} - {cargo.name for cargo in payloads}
+    absent = {payload.name for payload in worksite.payloads} - {payload.name for payload in payloads}
     cameras = worksite.cameras + _on_the_arm(model)
     present = [
         camera

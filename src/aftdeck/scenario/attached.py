@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from aftdeck.files import Where
-from aftdeck.kinematics.payload import Payload
+from aftdeck.kinematics.payload import HeldPayload
 from aftdeck.scenario.payload import attached_payload
 from aftdeck.scenario.problems import Problems
 from aftdeck.scenario.schema import Phase
@@ -17,15 +17,15 @@ class Grasp:
         held: number, from 1, of the payload that is attached at present; 0 for none.
     """
 
-    def __init__(self, payload: Payload | None, *, cargo: bool) -> None:
+    def __init__(self, payload: HeldPayload | None, *, cargo: bool) -> None:
         self.payloads = [] if payload is None else [payload]
         self.held = len(self.payloads)
-        self._cargo = cargo
+        self._takes_others = cargo
 
     @property
     def loaded(self) -> bool:
         """Whether the end effector can hold a payload: one is attached, or the worksite's payloads are present."""
-        return self.held > 0 or self._cargo
+        return self.held > 0 or self._takes_others
 
     @property
     def mass(self) -> float:
@@ -48,7 +48,7 @@ class Grasp:
         current = self.payloads[self.held - 1] if self.held else None
         if phase.payload is not None and phase.detached:
             problems.add(field, "give either payload or detached, not both")
-        elif self._cargo:
+        elif self._takes_others:
             problems.add(
                 field,
                 "is allowed only without [[cargo]]; the end effector captures and releases the payloads of [[cargo]]",

@@ -9,12 +9,12 @@ from aftdeck.arms.masses import check_masses
 from aftdeck.errors import ArmError, ScenarioError
 from aftdeck.files import Problem, Where
 from aftdeck.kinematics.arm import Arm
-from aftdeck.kinematics.payload import Payload
+from aftdeck.kinematics.payload import HeldPayload
 from aftdeck.plant.usual_payload import PAYLOAD_MASS
 from aftdeck.scenario.all_cameras import present_cameras
 from aftdeck.scenario.attached import Grasp
 from aftdeck.scenario.camera_settings import camera_settings
-from aftdeck.scenario.chosen_payloads import present_cargo
+from aftdeck.scenario.chosen_payloads import present_payloads
 from aftdeck.scenario.disturbance import Disturbable, payload_names, planned
 from aftdeck.scenario.fit import misfits
 from aftdeck.scenario.light import lamps_of, lighting
@@ -30,10 +30,11 @@ from aftdeck.scenario.sequences import stored_points
 from aftdeck.scenario.sources import Sources
 from aftdeck.scenario.starts import parts, start
 from aftdeck.scenario.steps import task_steps
-from aftdeck.scenario.target import AtSeat
+from aftdeck.scenario.target import AtBerth
 from aftdeck.steering.mode import MODES
 from aftdeck.worksite.file.load import worksite_of
-from aftdeck.worksite.model import Cargo, OrbiterMotion, Worksite
+from aftdeck.worksite.model import OrbiterMotion, Worksite
+from aftdeck.worksite.payload import Payload
 
 BUILT_IN = Path(__file__).parent / "builtin"
 """Folder of the scenarios that come with Aftdeck."""
@@ -71,38 +72,38 @@ def build(
     worksite = _worksite(problems, spec, sources)
     payload = held_payload(problems, spec.payload)
     check_por(problems, spec.limits.por, por_with(arm.model, payload.mass if payload else 0.0, spec.limits.por))
-    cargo = present_cargo(problems, worksite, spec.cargo)
-    references = TargetReferences(cargo, worksite, spec.strict)
+    payloads = present_payloads(problems, worksite, spec.cargo)
+    references = TargetReferences(payloads, worksite, spec.strict)
     initial_state = start(problems, arm, spec.initial, references, ("initial",))
     part_states = parts(problems, arm, spec.initialise, initial_state, references)
     sequences = stored_points(problems, arm, spec.sequence)
-    check_mode(problems, mode.position, bool(payload or cargo), sequences, ("mode",))
-    if payload and cargo:
+    check_mode(problems, mode.position, bool(payload or payloads), sequences, ("mode",))
+    if payload and payloads:
         problems.add(("payload",), "is never released: in a scenario with [[cargo]], give initial.grasped instead")
-    elif cargo and initial_state is not None and initial_state.grasped is None and MODES[mode.position].loaded:
+    elif payloads and initial_state is not None and initial_state.grasped is None and MODES[mode.position].loaded:
         problems.add(
             ("mode",), f"{mode.position} moves a payload, but the end effector holds none: give initial.grasped"
         )
-    grasp = Grasp(payload, cargo=bool(cargo))
+    grasp = Grasp(payload, cargo=bool(payloads))
     phases = script(problems, arm, spec.phase, grasp, spec.limits.por, sequences, references)
     if spec.next is not None and not (BUILT_IN / f"{spec.next}.toml").is_file():
         problems.add(("next",), f"no built-in scenario {spec.next!r}")
     steps = task_steps(problems, arm, spec.step, references)
-    _check_plant(problems, spec, arm, worksite, cargo, grasp.payloads)
+    _check_plant(problems, spec, arm, worksite, payloads, grasp.payloads)
     orbiter = spec.dynamics.orbiter or _usual_motion(worksite)
-    names = payload_names([one.name for one in cargo], own=bool(grasp.payloads))
+    names = payload_names([one.name for one in payloads], own=bool(grasp.payloads))
     disturbances = planned(problems, spec, Disturbable(spec.plant, orbiter, names))
     _check_clearance(problems, spec)
-    lamps = lamps_of(worksite, arm.model, payload, cargo) if worksite else ()
+    lamps = lamps_of(worksite, arm.model, payload, payloads) if worksite else ()
     light = lighting(problems, spec.light, lamps)
-    cameras = present_cameras(arm.model, worksite, cargo) if worksite and spec.cameras else ()
+    cameras = present_cameras(arm.model, worksite, payloads) if worksite and spec.cameras else ()
     settings = camera_settings(problems, spec.cameras, cameras) if worksite else {}
     cautions: list[Problem] = []
     if not problems and worksite is not None:
         states = [state for state in (initial_state, *part_states.values()) if state is not None]
-        held = [{state.grasped.cargo} if state.grasped else set() for state in states]
+        held = [{state.grasped.payload} if state.grasped else set() for state in states]
         always = frozenset(set.intersection(*held)) if held else frozenset()
-        cautions = _check_fit(problems, arm, worksite, cargo, phases, always)
+        cautions = _check_fit(problems, arm, worksite, payloads, phases, always)
     if problems or initial_state is None or worksite is None:
         return None
     return Scenario(
@@ -125,7 +126,7 @@ def build(
         camera_delay=float(spec.camera_delay),
         start=initial_state,
         parts=part_states,
-        cargo=cargo,
+        payloads=payloads,
         docking_axes="y" if spec.docking == "y axis" else "all",
         free_contact=spec.free_contact,
         caution=float(spec.clearance.caution),
@@ -163,15 +164,15 @@ def _check_fit(
     problems: Problems,
     arm: Arm,
     worksite: Worksite,
-    cargo: tuple[Cargo, ...],
+    payloads: tuple[Payload, ...],
     phases: Sequence[PhasePlan | None],
     held: frozenset[int],
 ) -> list[Problem]:
     """Add to `problems` the misfits that make every run meaningless, and return the other misfits."""
-    used = frozenset(phase.target.seat for phase in phases if phase and isinstance(phase.target, AtSeat))
+    used = frozenset(phase.target.berth for phase in phases if phase and isinstance(phase.target, AtBerth))
     errors: dict[Where, list[str]] = {}
     cautions = []
-    for misfit in misfits(arm.model, worksite, cargo, used, held):
+    for misfit in misfits(arm.model, worksite, payloads, used, held):
         if misfit.senseless:
             errors.setdefault(misfit.problem.where, []).append(misfit.problem.what)
         else:
@@ -213,8 +214,8 @@ def _check_plant(
     spec: ScenarioFile,
     arm: Arm,
     worksite: Worksite | None,
-    cargo: tuple[Cargo, ...],
-    payloads: Sequence[Payload],
+    present: tuple[Payload, ...],
+    payloads: Sequence[HeldPayload],
 ) -> None:
     """Check that the plant can move the arm and all payloads."""
     if spec.plant == "kinematic":
@@ -225,7 +226,7 @@ def _check_plant(
         problems.add(("plant",), str(error))
     _check_orbiter(problems, spec, worksite)
     masses = [(f"payload {n}", payload.mass) for n, payload in enumerate(payloads, 1)]
-    masses += [(payload.title, payload.mass) for payload in cargo]
+    masses += [(payload.title, payload.mass) for payload in present]
     for name, mass in masses:
         if why := PAYLOAD_MASS.problem(mass, ""):
             problems.add(("plant",), f"{spec.plant!r} cannot move {name}, because of its mass: {why}")

@@ -9,11 +9,12 @@ import msgspec
 from aftdeck.arms.geometry import frozen
 from aftdeck.scenario.problems import Problems
 from aftdeck.scenario.schema import CargoSpec
-from aftdeck.worksite.file.cargo import start_of
-from aftdeck.worksite.model import Cargo, Worksite
+from aftdeck.worksite.file.payload import start_of
+from aftdeck.worksite.model import Worksite
+from aftdeck.worksite.payload import Payload
 
 
-def present_cargo(problems: Problems, worksite: Worksite | None, specs: Sequence[CargoSpec]) -> tuple[Cargo, ...]:
+def present_payloads(problems: Problems, worksite: Worksite | None, specs: Sequence[CargoSpec]) -> tuple[Payload, ...]:
     """Return the worksite's payloads that a scenario lists.
 
     A mass, its distribution or a start pose that the scenario gives for a payload replace those of the worksite's
@@ -21,9 +22,9 @@ def present_cargo(problems: Problems, worksite: Worksite | None, specs: Sequence
     """
     if worksite is None:
         return ()
-    available = {payload.name: payload for payload in worksite.cargoes}
-    seats = {seat.name: seat for seat in worksite.seats}
-    present: list[Cargo] = []
+    available = {payload.name: payload for payload in worksite.payloads}
+    seats = {seat.name: seat for seat in worksite.berths}
+    present: list[Payload] = []
     for i, spec in enumerate(specs):
         if spec.name not in available:
             choices = f"it has {', '.join(available)}" if available else "it has none"
@@ -52,7 +53,7 @@ def present_cargo(problems: Problems, worksite: Worksite | None, specs: Sequence
             except ValueError as error:
                 problems.add(("cargo", i, "start"), str(error))
         present.append(payload)
-    occupied = [payload.start.seat for payload in present if payload.start.seat]
+    occupied = [payload.start.berth for payload in present if payload.start.berth]
     for seat in sorted({seat for seat in occupied if occupied.count(seat) > 1}):
         problems.add(
             ("cargo",), f"the berth {seat!r} holds one payload, but {occupied.count(seat)} payloads start in it"

@@ -112,9 +112,9 @@ def _implausible(values: Vec3, bounds: Bounds, unit: str) -> Iterator[str]:
             yield why
 
 
-def payload_names(cargo: Sequence[str], *, own: bool) -> tuple[str, ...]:
+def payload_names(payloads: Sequence[str], *, own: bool) -> tuple[str, ...]:
     """Return the names of a scenario's payloads: those of the worksite, and ``payload`` if it attaches one itself."""
-    return (*cargo, PART) if own else tuple(cargo)
+    return (*payloads, PART) if own else tuple(payloads)
 
 
 def planned(problems: Problems, spec: ScenarioFile, disturbable: Disturbable) -> tuple[Planned, ...]:

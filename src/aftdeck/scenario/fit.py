@@ -21,11 +21,12 @@ from aftdeck.bodies.solid import Solid
 from aftdeck.files import Problem, Where
 from aftdeck.frames import IDENTITY, Pose
 from aftdeck.scenario.on_arm import arm_solids
-from aftdeck.scenario.relative import at_cargo, composed, inverted, scene_in_l
-from aftdeck.scenario.target import AtCargo
+from aftdeck.scenario.relative import at_payload, composed, inverted, scene_in_l
+from aftdeck.scenario.target import AtPayload
+from aftdeck.worksite.capture.bar import BarFile
 from aftdeck.worksite.conditions import Units, quantity_text
-from aftdeck.worksite.file.cargo import part_of
-from aftdeck.worksite.model import BarAcquisition, Cargo, Worksite
+from aftdeck.worksite.model import Worksite
+from aftdeck.worksite.payload import Payload, part_of
 
 Parts = dict[str, list[Array]]
 """Hexahedra (8, 3) [m], by the part to which they belong."""
@@ -47,27 +48,27 @@ class Misfit(NamedTuple):
 
 
 def misfits(
-    model: ArmModel, worksite: Worksite, cargo: Sequence[Cargo], used: frozenset[str], held: frozenset[int]
+    model: ArmModel, worksite: Worksite, payloads: Sequence[Payload], used: frozenset[str], held: frozenset[int]
 ) -> Iterator[Misfit]:
     """Yield every misfit of a scenario.
 
     Args:
         model: the arm.
         worksite: the worksite.
-        cargo: payloads that are present, in the order of the scenario's file.
+        payloads: payloads that are present, in the order of the scenario's file.
         used: names of the berths to which the script brings payloads.
         held: indices of the payloads that the end effector holds in every initial state; the start poses of these
             payloads are not used.
     """
     around = parts_at(worksite.solids, IDENTITY)
     yield from _telescope_misfits(model, worksite, around)
-    for k, payload in enumerate(cargo):
+    for k, payload in enumerate(payloads):
         where: Where = ("cargo", k)
-        if not payload.start.seat and k not in held:
+        if not payload.start.berth and k not in held:
             own_parts = parts_at(payload.solids, payload.start.pose)
             for overlap in _overlaps(own_parts, around, model.units):
                 yield Misfit(Problem(where, f"{payload.name} starts where {overlap}"), True)
-        for i, other in enumerate(cargo[:k]):
+        for i, other in enumerate(payloads[:k]):
             if held & {i, k}:
                 continue
             for overlap in _overlaps(
@@ -82,7 +83,7 @@ def misfits(
 def _berth_misfits(
     model: ArmModel,
     worksite: Worksite,
-    payload: Cargo,
+    payload: Payload,
     where: Where,
     around: Parts,
     used: frozenset[str],
@@ -94,16 +95,16 @@ def _berth_misfits(
     in the berth, and yield the overlaps of the end effector with these surroundings.
     """
     hands_at_bar = hands(model, worksite, payload) if graspable else {}
-    for seat in worksite.seats:
-        if seat.lacks(payload.probe, payload.trunnions):
+    for berth in worksite.berths:
+        if berth.lacks(payload.probe, payload.trunnions):
             continue
-        pose = seat.seated(payload.probe)
-        senseless = seat.name in used or seat.name == payload.start.seat
+        pose = berth.seated(payload.probe)
+        senseless = berth.name in used or berth.name == payload.start.berth
         if overlaps := "; ".join(_overlaps(parts_at(payload.solids, pose), around, model.units)):
-            yield Misfit(Problem(where, f"{payload.name} in the berth {seat.name!r}: {overlaps}"), senseless)
+            yield Misfit(Problem(where, f"{payload.name} in the berth {berth.name!r}: {overlaps}"), senseless)
         for prong_state, hand in hands_at_bar.items():
             for overlap in _overlaps(_moved(hand, pose), around, model.units):
-                text = f"the end effector, {prong_state}, at {payload.name} in the berth {seat.name!r}: {overlap}"
+                text = f"the end effector, {prong_state}, at {payload.name} in the berth {berth.name!r}: {overlap}"
                 yield Misfit(Problem(where, text), senseless)
 
 
@@ -123,10 +124,10 @@ def _telescope_misfits(model: ArmModel, worksite: Worksite, around: Parts) -> It
             yield Misfit(Problem(("arm",), f"with the shoulder {height} up, {overlap}"), True)
 
 
-def _bar_errors(model: ArmModel, worksite: Worksite, payload: Cargo) -> Iterator[str]:
+def _bar_errors(model: ArmModel, worksite: Worksite, payload: Payload) -> Iterator[str]:
     """Yield the reasons why a prong can never acquire a payload's bar, or can never release it."""
     rule, prong, bar, units = worksite.acquisition, model.prong, payload.receptacle, model.units
-    if prong is None or not isinstance(rule, BarAcquisition) or bar is None:
+    if prong is None or not isinstance(rule, BarFile) or bar is None:
         return
 
     def length_text(value: float) -> str:
@@ -160,7 +161,7 @@ def _bar_errors(model: ArmModel, worksite: Worksite, payload: Cargo) -> Iterator
         )
 
 
-def _hand_overlaps(model: ArmModel, worksite: Worksite, payload: Cargo) -> Iterator[str]:
+def _hand_overlaps(model: ArmModel, worksite: Worksite, payload: Payload) -> Iterator[str]:
     """Yield the overlaps of the end effector with a payload when the end effector is at the payload's bar.
 
     Overlaps with the bar itself are not checked, because the bar need not be at the palm's centre when the bar is
@@ -173,16 +174,16 @@ def _hand_overlaps(model: ArmModel, worksite: Worksite, payload: Cargo) -> Itera
             yield f"the end effector, {prong_state}, at the bar of {payload.name}: {overlap}"
 
 
-def hands(model: ArmModel, worksite: Worksite, payload: Cargo) -> Mapping[str, Parts]:
+def hands(model: ArmModel, worksite: Worksite, payload: Payload) -> Mapping[str, Parts]:
     """Return the parts of the concept arm's end effector at a payload's bar, in the payload's axes.
 
     The keys of the result are "open", for the open prong, and "closed", for the prong closed on the bar. The result is
     empty for an end effector without a prong and for a payload without a bar.
     """
     rule, hand = worksite.acquisition, model.prong
-    if hand is None or not isinstance(rule, BarAcquisition) or payload.receptacle is None:
+    if hand is None or not isinstance(rule, BarFile) or payload.receptacle is None:
         return {}
-    tip = at_cargo(model, payload, AtCargo(0, above=0.5 * rule.window))
+    tip = at_payload(model, payload, AtPayload(0, above=0.5 * rule.window))
     joint = composed(tip, Pose(-model.linkage.tip, np.eye(3)))
     last = model.linkage.frames[-1]
     hand_solids = [solid for solid in arm_solids(model, worksite) if solid.frame == last]

@@ -17,12 +17,13 @@ from aftdeck.arms.load import ArmModel
 from aftdeck.bounds import DIRECTION, Bounds
 from aftdeck.errors import InputError
 from aftdeck.files import parse, read
-from aftdeck.kinematics.payload import Payload
+from aftdeck.kinematics.payload import HeldPayload
 from aftdeck.scenario.on_arm import arm_shapes
 from aftdeck.scenario.problems import Problems
 from aftdeck.scenario.schema import LightSpec
 from aftdeck.shapes import switches
-from aftdeck.worksite.model import Cargo, Worksite
+from aftdeck.worksite.model import Worksite
+from aftdeck.worksite.payload import Payload
 
 Colour = Annotated[str, msgspec.Meta(pattern=r"^#[0-9a-f]{6}$")]
 Name = Annotated[str, msgspec.Meta(min_length=1, max_length=64)]
@@ -109,10 +110,12 @@ def condition_named(name: str) -> LightCondition:
     raise InputError(f"no light condition {name!r}: there are {', '.join(one.name for one in conditions())}")
 
 
-def lamps_of(worksite: Worksite, arm: ArmModel, payload: Payload | None, cargo: tuple[Cargo, ...]) -> tuple[str, ...]:
+def lamps_of(
+    worksite: Worksite, arm: ArmModel, payload: HeldPayload | None, payloads: tuple[Payload, ...]
+) -> tuple[str, ...]:
     """Return the switches of all lamps of the worksite, the arm, the held payload and the worksite's payloads."""
     body_shapes = chain((body.shapes for body in worksite.bodies), arm_shapes(arm, worksite).values())
-    payload_shapes = chain([payload.shapes] if payload else [], (item.shapes for item in cargo))
+    payload_shapes = chain([payload.shapes] if payload else [], (item.shapes for item in payloads))
     return switches(chain.from_iterable(chain(body_shapes, payload_shapes)))
 
 

@@ -13,7 +13,7 @@ from aftdeck.arms.limits import JointRates
 from aftdeck.bodies.cameras import Setting
 from aftdeck.files import Problem
 from aftdeck.kinematics.arm import Arm
-from aftdeck.kinematics.payload import Payload
+from aftdeck.kinematics.payload import HeldPayload
 from aftdeck.scenario.disturbance import Disturbable, Planned, payload_names
 from aftdeck.scenario.light import Lighting
 from aftdeck.scenario.schema import FreeContact, Part, Plant, PorOverride, Rate, ScenarioGroup, Until
@@ -21,7 +21,8 @@ from aftdeck.scenario.target import RelativeTarget, Target
 from aftdeck.scenario.task_step import TaskStep
 from aftdeck.steering.mode import MODES, LawChoice
 from aftdeck.tuples import Joints
-from aftdeck.worksite.model import Cargo, OrbiterMotion, Worksite
+from aftdeck.worksite.model import OrbiterMotion, Worksite
+from aftdeck.worksite.payload import Payload
 
 
 @dataclass(frozen=True, eq=False)
@@ -126,13 +127,13 @@ class Grasped:
     """A payload that the end effector holds from the start.
 
     Attributes:
-        cargo: index of the payload in the scenario's `cargo`.
+        payload: index of the payload in the scenario's `payloads`.
         angles: (n,) joint angles at which the arm captured the payload [rad]. At the capture, the payload was at its
-            start pose (`Cargo.start`).
+            start pose (`Payload.start`).
         stand: length of the telescope at the capture [m].
     """
 
-    cargo: int
+    payload: int
     angles: np.ndarray
     stand: float
 
@@ -180,7 +181,7 @@ class Scenario:
         start: initial state of the arm.
         parts: initial state of each part of the problem that the scenario describes, and `start` for "full problem";
             empty if the scenario describes no part.
-        cargo: payloads of the worksite that are present.
+        payloads: payloads of the worksite that are present.
         docking_axes: axes of payload and port that docking compares: all, or only y as in the report.
         free_contact: effect of a contact on a floating payload.
         caution: clearance below which the page shows a caution [m].
@@ -233,7 +234,7 @@ class Scenario:
     camera_delay: float
     start: Start
     parts: dict[Part, Start]
-    cargo: tuple[Cargo, ...]
+    payloads: tuple[Payload, ...]
     docking_axes: Literal["all", "y"]
     free_contact: FreeContact
     caution: float
@@ -255,8 +256,8 @@ class Scenario:
     position_hold: bool
     sequences: Sequences
     por: PorOverride
-    own_payloads: tuple[Payload, ...]
-    payload: Payload | None
+    own_payloads: tuple[HeldPayload, ...]
+    payload: HeldPayload | None
     disturbances: tuple[Planned, ...]
     phases: tuple[PhasePlan, ...]
     steps: tuple[TaskStep, ...]
@@ -277,7 +278,7 @@ class Scenario:
     @cached_property
     def disturbable(self) -> Disturbable:
         """What disturbances can act on."""
-        names = payload_names([one.name for one in self.cargo], own=bool(self.own_payloads))
+        names = payload_names([one.name for one in self.payloads], own=bool(self.own_payloads))
         return Disturbable(self.plant, self.orbiter, names)
 
     @property

@@ -11,7 +11,7 @@ from aftdeck.arms.geometry import frozen
 from aftdeck.bodies.mass_properties import box
 from aftdeck.files import Where
 from aftdeck.frames import endori
-from aftdeck.kinematics.payload import Payload
+from aftdeck.kinematics.payload import HeldPayload
 from aftdeck.plant.usual_payload import usual_payload
 from aftdeck.scenario.poses import rotation_matrix
 from aftdeck.scenario.problems import Problems
@@ -21,7 +21,7 @@ PART = "payload"
 """Name of the payload's part."""
 
 
-def held_payload(problems: Problems, spec: PayloadSpec | None) -> Payload | None:
+def held_payload(problems: Problems, spec: PayloadSpec | None) -> HeldPayload | None:
     """Return the payload of the table `[payload]`; None if the file has no such table, or if the table is wrong."""
     held = None if spec is None else attached_payload(problems, spec, ("payload",))
     if spec is None or held is None:
@@ -38,7 +38,7 @@ def held_payload(problems: Problems, spec: PayloadSpec | None) -> Payload | None
     return replace(held, shapes=spec.shape, solids=solids, inertia=inertia)
 
 
-def attached_payload(problems: Problems, spec: AttachedSpec, where: Where) -> Payload | None:
+def attached_payload(problems: Problems, spec: AttachedSpec, where: Where) -> HeldPayload | None:
     """Return the payload of the table at `where` in the file, without shapes and solids; None if the table is wrong."""
     if spec.mass <= 0.0:
         problems.add((*where, "mass"), f"has to be above 0, got {spec.mass:g} kg")
@@ -53,7 +53,7 @@ def attached_payload(problems: Problems, spec: AttachedSpec, where: Where) -> Pa
             return None
         turned = given
     inertia, centre = spec.tensor(), spec.mass_centre()
-    return Payload(
+    return HeldPayload(
         float(spec.mass),
         frozen(turned),
         frozen(spec.position),

@@ -11,22 +11,23 @@ from aftdeck.frames import Pose
 from aftdeck.kinematics.arm import Arm
 from aftdeck.scenario.poses import FRAMES, position_and_rotation, target
 from aftdeck.scenario.problems import Problems
-from aftdeck.scenario.relative import at_cargo, at_seat, composed, in_frame, inverted, scene_in_l, takes
+from aftdeck.scenario.relative import at_berth, at_payload, composed, in_frame, inverted, scene_in_l, takes
 from aftdeck.scenario.schema import PoseSpec
-from aftdeck.scenario.target import AtCargo, AtSeat, RelativeTarget, Target
-from aftdeck.worksite.model import Cargo, Worksite
+from aftdeck.scenario.target import AtBerth, AtPayload, RelativeTarget, Target
+from aftdeck.worksite.model import Worksite
+from aftdeck.worksite.payload import Payload
 
 
 class TargetReferences(NamedTuple):
     """Objects relative to which a target or a start may be given, and the choice of inverse kinematics.
 
     Attributes:
-        cargo: the scenario's payloads.
+        payloads: the scenario's payloads.
         worksite: the worksite, for its bodies and berths; None if the named worksite could not be read.
         strict: whether a pose is converted to joint angles by RMANGS as published, which returns only one branch.
     """
 
-    cargo: tuple[Cargo, ...]
+    payloads: tuple[Payload, ...]
     worksite: Worksite | None
     strict: bool = False
 
@@ -58,23 +59,23 @@ def place(
     above, (x, y, z) = float(spec.above or 0.0), spec.offset or (0.0, 0.0, 0.0)
     offset = float(x), float(y), float(z)
     if spec.seat is not None:
-        seats = [seat.name for seat in references.worksite.seats]
+        seats = [seat.name for seat in references.worksite.berths]
         if spec.seat in seats:
-            return AtSeat(spec.seat, above, offset)
+            return AtBerth(spec.seat, above, offset)
         problems.add((*where, "seat"), f"no seat {spec.seat!r}: seats are {', '.join(seats) or 'none'}")
         return None
-    index = cargo_index(problems, arm, references.cargo, spec.cargo or "", (*where, "cargo"))
-    return None if index is None else AtCargo(index, above, offset)
+    index = payload_index(problems, arm, references.payloads, spec.cargo or "", (*where, "cargo"))
+    return None if index is None else AtPayload(index, above, offset)
 
 
-def cargo_index(problems: Problems, arm: Arm, cargo: tuple[Cargo, ...], name: str, where: Where) -> int | None:
+def payload_index(problems: Problems, arm: Arm, payloads: tuple[Payload, ...], name: str, where: Where) -> int | None:
     """Return the index of the scenario's payload named `name`; None if there is none or the arm cannot capture it."""
-    names = [payload.name for payload in cargo]
+    names = [payload.name for payload in payloads]
     if name not in names:
         choices = f"cargoes are {', '.join(names)}" if names else "the scenario has none: add a [[cargo]]"
         problems.add(where, f"no cargo {name!r}: {choices}")
         return None
-    if not takes(arm.model, cargo[names.index(name)]):
+    if not takes(arm.model, payloads[names.index(name)]):
         fixture = "grapple fixture" if arm.model.prong is None else "bar"
         problems.add(where, f"{name!r} has no {fixture} for the end effector of {arm.model.name}")
         return None
@@ -105,23 +106,22 @@ def at_the_start(
     if found is None or references.worksite is None:
         return None
     scene = scene_in_l(arm.model.mount, references.worksite.origin)
-    if isinstance(found, AtCargo):
-        payload = references.cargo[found.cargo]
-        return composed(scene, composed(payload.start.pose, at_cargo(arm.model, payload, found)))
-    if isinstance(found, AtSeat):
+    if isinstance(found, AtPayload):
+        payload = references.payloads[found.payload]
+        return composed(scene, composed(payload.start.pose, at_payload(arm.model, payload, found)))
+    if isinstance(found, AtBerth):
         if held is None:
             problems.add(where, "a pose at a berth (`seat`) needs a held payload: give `grasped` too")
             return None
         index, pose_at_tip = held
-        seat = next(seat for seat in references.worksite.seats if seat.name == found.seat)
-        if lacking := seat.lacks(references.cargo[index].probe, references.cargo[index].trunnions):
-            problems.add(
-                where,
-                f"{references.cargo[index].name!r} has no {lacking}, by which the berth {seat.name!r} holds a payload",
-            )
+        payload = references.payloads[index]
+        berth = next(berth for berth in references.worksite.berths if berth.name == found.berth)
+        if lacking := berth.lacks(payload.probe, payload.trunnions):
+            what = f"{payload.name!r} has no {lacking}, by which the berth {berth.name!r} holds a payload"
+            problems.add(where, what)
             return None
-        return composed(scene, composed(at_seat(seat, references.cargo[index], found), inverted(pose_at_tip)))
-    frame_pose = next((payload.start.pose for payload in references.cargo if payload.name == found.frame), None)
+        return composed(scene, composed(at_berth(berth, payload, found), inverted(pose_at_tip)))
+    frame_pose = next((payload.start.pose for payload in references.payloads if payload.name == found.frame), None)
     return composed(scene, found.pose if frame_pose is None else composed(frame_pose, found.pose))
 
 
@@ -133,9 +133,9 @@ def _in_frame(problems: Problems, spec: PoseSpec, references: TargetReferences, 
     pose = position_and_rotation(problems, spec, where)
     if pose is None or references.worksite is None:
         return None
-    found = in_frame(references.worksite, references.cargo, spec.frame, pose)
+    found = in_frame(references.worksite, references.payloads, spec.frame, pose)
     if found is None:
-        names = [body.name for body in references.worksite.bodies] + [seat.name for seat in references.worksite.seats]
-        choices = ", ".join(dict.fromkeys([*FRAMES, *names, *(payload.name for payload in references.cargo)]))
+        names = [body.name for body in references.worksite.bodies] + [seat.name for seat in references.worksite.berths]
+        choices = ", ".join(dict.fromkeys([*FRAMES, *names, *(payload.name for payload in references.payloads)]))
         problems.add((*where, "frame"), f"no frame {spec.frame!r}: there are {choices}")
     return found

@@ -10,8 +10,10 @@ import numpy as np
 from aftdeck.arms.load import ArmModel
 from aftdeck.frames import IDENTITY, SCENE_FROM_PANEL_AXES, Mount, Pose, rotation_x
 from aftdeck.matrices import product
-from aftdeck.scenario.target import AtCargo, AtSeat, InFrame
-from aftdeck.worksite.model import Cargo, Seat, Worksite
+from aftdeck.scenario.target import AtBerth, AtPayload, InFrame
+from aftdeck.worksite.berths.berth import Berth
+from aftdeck.worksite.model import Worksite
+from aftdeck.worksite.payload import Payload
 
 _OVER_A_BAR = np.array([[0.0, 0.0, -1.0], [0.0, -1.0, 0.0], [-1.0, 0.0, 0.0]])
 """The tip's axes in a payload's axes when the end effector points down at the payload's bar, with the fixed finger to
@@ -34,22 +36,22 @@ def inverted(pose: Pose) -> Pose:
     return Pose(-product(pose.rotation.T, pose.position), pose.rotation.T)
 
 
-def takes(model: ArmModel, cargo: Cargo) -> bool:
+def takes(model: ArmModel, payload: Payload) -> bool:
     """Return whether a payload has the fitting that this arm's end effector needs for a capture.
 
     An end effector with a prong needs a bar; an end effector with snares needs a grapple fixture.
     """
-    return (cargo.grapple if model.prong is None else cargo.receptacle) is not None
+    return (payload.grapple if model.prong is None else payload.receptacle) is not None
 
 
-def at_cargo(model: ArmModel, cargo: Cargo, place: AtCargo) -> Pose:
+def at_payload(model: ArmModel, payload: Payload, place: AtPayload) -> Pose:
     """Return the tip's pose in a payload's axes: the capture pose, displaced by `above` and `offset` of `place`."""
-    if cargo.grapple is not None:
-        rotation = product(cargo.grapple.rotation, rotation_x(-model.end_effector_roll))
-        capture_pose = Pose(cargo.grapple.position, rotation)
+    if payload.grapple is not None:
+        rotation = product(payload.grapple.rotation, rotation_x(-model.end_effector_roll))
+        capture_pose = Pose(payload.grapple.position, rotation)
     else:
-        assert cargo.receptacle is not None, "the caller has checked that the payload has a fixture or a bar"
-        low, high = cargo.receptacle.min(axis=0), cargo.receptacle.max(axis=0)
+        assert payload.receptacle is not None, "the caller has checked that the payload has a fixture or a bar"
+        low, high = payload.receptacle.min(axis=0), payload.receptacle.max(axis=0)
         capture_pose = Pose(np.array([*(low + high)[:2] / 2.0, high[2]]), _OVER_A_BAR)
     return Pose(
         capture_pose.position - place.above * capture_pose.rotation[:, 0] + np.array(place.offset),
@@ -57,18 +59,19 @@ def at_cargo(model: ArmModel, cargo: Cargo, place: AtCargo) -> Pose:
     )
 
 
-def at_seat(seat: Seat, cargo: Cargo, place: AtSeat) -> Pose:
-    """Return a payload's pose in `seat.frame`: the seated pose, displaced by `above` and `offset` of `place`."""
-    seated, turn = seat.seated(cargo.probe), seat.pose.rotation
-    out = turn[:, 0] if seat.kind == "port" else turn[:, 2]
-    return Pose(seated.position + place.above * out + product(turn, np.array(place.offset)), seated.rotation)
+def at_berth(berth: Berth, payload: Payload, place: AtBerth) -> Pose:
+    """Return a payload's pose in `berth.frame`: the seated pose, displaced by `above` and `offset` of `place`."""
+    seated, turn = berth.seated(payload.probe), berth.pose.rotation
+    return Pose(
+        seated.position + place.above * turn[:, berth.out] + product(turn, np.array(place.offset)), seated.rotation
+    )
 
 
-def in_frame(worksite: Worksite, cargo: tuple[Cargo, ...], name: str, pose: Pose) -> InFrame | None:
+def in_frame(worksite: Worksite, payloads: tuple[Payload, ...], name: str, pose: Pose) -> InFrame | None:
     """Return the target for a pose in the axes of the body, berth or payload `name`; None if none has this name."""
     carriers: dict[str, tuple[str, Pose]] = {body.name: (body.fixed_to, body.pose) for body in worksite.bodies}
-    carriers |= {payload.name: (payload.name, IDENTITY) for payload in cargo}
-    carriers |= {seat.name: (seat.frame, seat.pose) for seat in worksite.seats}
+    carriers |= {payload.name: (payload.name, IDENTITY) for payload in payloads}
+    carriers |= {berth.name: (berth.frame, berth.pose) for berth in worksite.berths}
     if name not in carriers:
         return None
     frame, pose_in_carrier = carriers[name]

@@ -12,7 +12,7 @@ from aftdeck.frames import Pose
 from aftdeck.kinematics.arm import Arm
 from aftdeck.scenario.by_joint import fits
 from aftdeck.scenario.model import Grasped, Start
-from aftdeck.scenario.places import TargetReferences, at_the_start, cargo_index, is_relative
+from aftdeck.scenario.places import TargetReferences, at_the_start, is_relative, payload_index
 from aftdeck.scenario.poses import joint_angles, pose_in_l
 from aftdeck.scenario.problems import Problems
 from aftdeck.scenario.relative import composed, inverted, scene_in_l
@@ -117,7 +117,7 @@ def _grasped(
     raised = _with_telescope_at(problems, arm, spec.stand, (*where, "stand"))
     if references.worksite is None:
         return None  # the worksite's error is already reported; do not report a missing payload too
-    index = cargo_index(problems, arm, references.cargo, spec.cargo, (*where, "cargo"))
+    index = payload_index(problems, arm, references.payloads, spec.cargo, (*where, "cargo"))
     angles = None
     if (spec.joints is None) == (spec.above is None):
         problems.add(where, "give either `joints` (the angle of each joint) or `above`")
@@ -134,7 +134,7 @@ def _held_from_start(arm: Arm, references: TargetReferences, grasped: Grasped) -
     """Return the index of the payload that is held from the start, and the payload's pose in the tip's frame."""
     assert references.worksite is not None, "only a payload of a worksite can be grasped"
     scene = scene_in_l(arm.model.mount, references.worksite.origin)
-    payload = composed(scene, references.cargo[grasped.cargo].start.pose)
+    payload = composed(scene, references.payloads[grasped.payload].start.pose)
     telescope = grasped.stand != float(arm.model.links[0])
     tip = (arm.at(stand=grasped.stand) if telescope else arm).forward(grasped.angles)
-    return grasped.cargo, composed(inverted(tip), payload)
+    return grasped.payload, composed(inverted(tip), payload)

@@ -85,7 +85,7 @@ def _check_state(
         problems.add(where, "a step with a joint has only within_angle, not within or above")
     if references.worksite is None or state.berth is None:
         return
-    seats = [seat.name for seat in references.worksite.seats]
+    seats = [seat.name for seat in references.worksite.berths]
     if state.berth not in seats:
         problems.add((*where, "berth"), f"no berth {state.berth!r}: berths are {', '.join(seats) or 'none'}")
 
@@ -156,7 +156,7 @@ def _cameras(
 ) -> tuple[str, ...]:
     if spec.cameras is None or references.worksite is None:
         return ()
-    names = [camera.name for camera in present_cameras(arm.model, references.worksite, references.cargo)]
+    names = [camera.name for camera in present_cameras(arm.model, references.worksite, references.payloads)]
     for i, name in enumerate(spec.cameras):
         if name not in names:
             problems.add((*where, i), f"no camera {name!r}: cameras are {', '.join(names)}")

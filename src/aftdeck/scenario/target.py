@@ -29,21 +29,21 @@ class Target(msgspec.Struct, frozen=True):
         return Pose(np.array(self.position), np.array(self.rotation))
 
 
-class AtCargo(msgspec.Struct, frozen=True, tag=True):
+class AtPayload(msgspec.Struct, frozen=True, tag=True):
     """A target that is computed when its phase begins: the pose at which the end effector captures a payload."""
 
-    cargo: int
-    """Index of the payload in the scenario's `cargo`."""
+    payload: int
+    """Index of the payload in the scenario's `payloads`."""
     above: float = 0.0
     """Distance from the capture pose back to the target, along the end effector's axis [m]."""
     offset: Vec3 = (0.0, 0.0, 0.0)
     """Further displacement along the payload's axes [m]."""
 
 
-class AtSeat(msgspec.Struct, frozen=True, tag=True):
+class AtBerth(msgspec.Struct, frozen=True, tag=True):
     """A target that is computed when its phase begins: the pose at which the held payload is in a berth."""
 
-    seat: str
+    berth: str
     """Name of the berth."""
     above: float = 0.0
     """Distance from the pose in the berth to the target: up out of the bay, or out from the port [m]."""
@@ -67,7 +67,7 @@ class InFrame(msgspec.Struct, frozen=True, tag=True):
         return Pose(np.array(self.position), np.array(self.rotation))
 
 
-RelativeTarget = AtCargo | AtSeat | InFrame
+RelativeTarget = AtPayload | AtBerth | InFrame
 """A target that depends on the pose of an object at the time when a phase begins."""
 
 

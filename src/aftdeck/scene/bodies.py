@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from aftdeck.scenario.model import Scenario
 from aftdeck.scenario.on_arm import arm_shapes
-from aftdeck.worksite.model import Body
+from aftdeck.worksite.body import Body
 
 PAYLOAD = "payload"
 """Name of the body of the scenario's own payload."""
@@ -21,5 +21,5 @@ def bodies_of(scenario: Scenario) -> tuple[Body, ...]:
     bodies += [Body(name, shapes) for name, shapes in arm_shapes(scenario.arm.model, scenario.worksite).items()]
     if draws_payload(scenario) and scenario.payload is not None:
         bodies.append(Body(PAYLOAD, scenario.payload.shapes))
-    bodies += [Body(payload.name, payload.shapes) for payload in scenario.cargo]
+    bodies += [Body(payload.name, payload.shapes) for payload in scenario.payloads]
     return tuple(bodies)

@@ -37,14 +37,14 @@ class ScenePoses:
         poses += self.arm.at(np.array(frame.angles), frame.work.stand, self.prong(frame), bends_in(frame))
         if self._payload and frame.payload is not None:
             poses += self.pose(*frame.payload)
-        for cargo in frame.work.cargo:
-            poses += self.pose(cargo.position, cargo.orientation)
+        for payload in frame.work.cargo:
+            poses += self.pose(payload.position, payload.orientation)
         return poses
 
     def then(self, ahead: Ahead, prong: float | None) -> list[float]:
         """Return seven numbers for each body in a look-ahead: first the arm's bodies, then the worksite's payloads."""
         poses = self.arm.at(np.array(ahead.angles), ahead.stand, prong)
-        for position, orientation in ahead.cargo:
+        for position, orientation in ahead.payloads:
             poses += self.pose(position, orientation)
         return poses
 

@@ -23,15 +23,15 @@ from aftdeck.simulation.parts.free_flight import floating
 from aftdeck.simulation.parts.worksite_state import WorksiteState
 from aftdeck.simulation.payloads.alignment import count
 from aftdeck.simulation.payloads.forces import held_by
-from aftdeck.simulation.payloads.grasp import attach, set_effector, update_steering
+from aftdeck.simulation.payloads.grasp import attach, carried_by, set_effector
 from aftdeck.simulation.payloads.objective import holding
 from aftdeck.simulation.payloads.relations import permitted
 from aftdeck.simulation.payloads.task_phases import change_task
 from aftdeck.simulation.state import State, new_state
 from aftdeck.steering.layout import KEPT, MASTER, RATES, TWIST
 from aftdeck.steering.mode import MODES
+from aftdeck.worksite.berths.latches import SHUT
 from aftdeck.worksite.conditions import failure_text, quantity_text
-from aftdeck.worksite.seats.latches import Latches
 
 
 def initial_state(flight: Flight, start: Start | None = None) -> State:
@@ -69,7 +69,7 @@ def _misfits(flight: Flight, worksite: WorksiteState, name: str) -> Iterator[str
     units = flight.scenario.arm.model.units
     k = worksite.held
     if k is not None and (why := failure_text(holding(flight.site, worksite, k), units)):
-        yield f"{name}.grasped: {flight.site.cargo[k].title} cannot have been captured in this pose: {why}"
+        yield f"{name}.grasped: {flight.site.payloads[k].title} cannot have been captured in this pose: {why}"
     if not flight.plant.has_contact_forces:
         return
     overlaps = [
@@ -107,7 +107,7 @@ def initialise(flight: Flight, state: State, part: Part) -> None:
     task = state.worksite.task
     state.replace_with(_state_at(flight, parts[part]))
     state.panel.motion_began, state.script.attached = state.tick - 1, 0 if flight.scenario.payload is None else 1
-    update_steering(flight, state)
+    state.carried = carried_by(flight.scenario, flight.site, state.worksite, state.script)
     if MODES[state.panel.mode].loaded and state.carried.payload is None:
         state.panel.mode = "ORB UNL"  # the present mode needs a payload, but the arm holds none
     log.add("initialise", "info", f"initialised to {part}")
@@ -129,12 +129,12 @@ def _set_to_start(flight: Flight, state: State, start: Start) -> None:
     state.steering[RATES : RATES + joints], state.steering[TWIST : TWIST + 6] = start.rates, state.observed[12:18]
     state.measure()
     frames = worksite.frames
-    for k, payload in enumerate(site.cargo):
+    for k, payload in enumerate(site.payloads):
         pose = np.empty(POSE)
         compose(site.scene, site.starts[k], pose)
-        if payload.start.seat:
-            worksite.cargo[k].seat, worksite.cargo[k].latches = payload.start.seat, Latches(1.0, 1.0)
-            worksite.cargo[k].offset_at_fixing = worksite.cargo[k].offset_in_seat = list(HERE)
+        if payload.start.berth:
+            worksite.payloads[k].berth, worksite.payloads[k].latches = payload.start.berth, SHUT
+            worksite.payloads[k].offset_at_fixing = worksite.payloads[k].offset_in_berth = list(HERE)
         else:
             velocity = product(site.scene[3:].reshape(3, 3), payload.start.velocity)
             control = payload.limit_cycle
@@ -146,19 +146,19 @@ def _set_to_start(flight: Flight, state: State, start: Start) -> None:
         set_effector(flight, worksite, holding=True)
         frames[:] = frames_with_prong_at(site, worksite, plant, worksite.prong.position)
     if start.grasped is not None:
-        k = start.grasped.cargo
+        k = start.grasped.payload
         set_effector(flight, worksite, holding=True)
         angles, stand = start.grasped.angles, start.grasped.stand
         frames[:] = frames_at(site, worksite, plant, angles, stand, worksite.prong.position)
-        worksite.cargo[k].seat, worksite.cargo[k].released_from = "", worksite.cargo[k].seat
+        worksite.payloads[k].berth, worksite.payloads[k].released_from = "", worksite.payloads[k].berth
         attach(site, worksite, k)
-        update_steering(flight, state)
+        state.carried = carried_by(flight.scenario, flight.site, state.worksite, state.script)
         frames[:] = frames_with_prong_at(site, worksite, plant, worksite.prong.position)
     poses = frames[site.space_row + 1 :].copy()
     motions = np.array([np.zeros(6) if one is None else one.motion for one in worksite.floating]).reshape(-1, 6)
     flight.plant.begin(plant, state.script.attached, poses, motions, worksite.prong.position)
     if plant.bodies is not None:
-        for k, one in enumerate(worksite.cargo):
+        for k, one in enumerate(worksite.payloads):
             plant.bodies.held_for[k] = [math.inf if by else 0.0 for by in held_by(site, one)]
     worksite.before[:] = frames
     worksite.monitored_before[:] = worksite.watch.active

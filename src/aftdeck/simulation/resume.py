@@ -13,7 +13,7 @@ from aftdeck.simulation.parts.checking import Rehearsed
 from aftdeck.simulation.parts.standing import Standing
 from aftdeck.simulation.parts.worksite_state import WorksiteState
 from aftdeck.simulation.payloads.alignment import count
-from aftdeck.simulation.payloads.grasp import update_steering
+from aftdeck.simulation.payloads.grasp import carried_by
 from aftdeck.simulation.state import State, new_state
 from aftdeck.state_part import Cache, decoded
 from aftdeck.worksite.watch.clearance_monitor import ClearanceMonitor
@@ -33,10 +33,10 @@ def resume(flight: Flight, saved: bytes) -> State:
         ClearanceMonitor: lambda: ClearanceMonitor(flight.site.layout),
     }
     like = new_state(flight, nothing)
-    payloads = len(flight.site.cargo)
+    payloads = len(flight.site.payloads)
     flight.plant.begin(like.plant, 0, np.tile(HERE, (payloads, 1)), np.zeros((payloads, 6)), 0.0)
     state = decoded(like, saved, lambda kind: empty[kind]())
-    update_steering(flight, state)
+    state.carried = carried_by(flight.scenario, flight.site, state.worksite, state.script)
     restore_clearances(flight, state.worksite)
     return state
 

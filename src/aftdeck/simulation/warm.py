@@ -17,9 +17,9 @@ from aftdeck.simulation.motion.contact_out import way_out_of_contact
 from aftdeck.simulation.motion.ways_out import ways_out
 from aftdeck.simulation.observe.look import frame_of
 from aftdeck.simulation.observe.look_ahead import MOST_S, look_ahead
-from aftdeck.simulation.payloads.grasp import NEAR, attach, empty_grasp, start_free_flight, update_steering
+from aftdeck.simulation.payloads.fixing import conditions_at
+from aftdeck.simulation.payloads.grasp import NEAR, attach, carried_by, empty_grasp, start_free_flight
 from aftdeck.simulation.payloads.objective import present_objective
-from aftdeck.simulation.payloads.seating import conditions_at
 from aftdeck.simulation.payloads.sliding import slide_along
 from aftdeck.simulation.payloads.task_phases import change_task
 from aftdeck.simulation.state import State
@@ -55,7 +55,7 @@ def warm_up(scenario: Scenario) -> None:
     step(flight, state, None)
     state.worksite.contacts.judge(touching=True, changed=True, prong=flight.site.by_prong, mode=state.worksite.task)
     way_out_of_contact(flight, state)
-    if flight.site.cargo:
+    if flight.site.payloads:
         present_objective(flight.site, state.worksite)
         _carry(flight, state)
 
@@ -63,22 +63,22 @@ def warm_up(scenario: Scenario) -> None:
 def _carry(flight: Flight, state: State) -> None:
     """Attach the first payload, slide it along the orbiter's parts, evaluate its berths, and release it."""
     site, worksite, log = flight.site, state.worksite, state.log(flight.scenario.control_period)
-    worksite.cargo[0].seat = ""
+    worksite.payloads[0].berth = ""
     attach(site, worksite, 0)
-    update_steering(flight, state)
+    state.carried = carried_by(flight.scenario, flight.site, state.worksite, state.script)
     change_task(site, worksite, log)
     frame_of(flight, state, digest(state))
     worksite.watch.update(worksite.frames, worksite.frames, flight.scenario.control_period)
     state.steering[TWIST : TWIST + 6] = FAR  # the payload could then reach every wall in the next step
     slide_along(flight, state, 0.0, 0)
-    for berth in site.berths[0]:
-        conditions_at(site, worksite, 0, berth)
-        berth.on_way(worksite.frames, site.cargo_row(0))
-        if berth.port is not None:
-            berth.is_straight_ahead(worksite.frames, site.cargo_row(0), 0.0, NEAR, 0.0)
+    for fit in site.fits[0]:
+        conditions_at(site, worksite, 0, fit)
+        fit.on_way(worksite.frames, site.payload_row(0))
+        if fit.relation is not None:
+            fit.is_aligned(worksite.frames, site.payload_row(0), 0.0, NEAR, 0.0)
     counts = site.detrimental.copy()
     worksite.watch.except_far(site.detrimental, np.zeros(len(counts)), counts)
     empty_grasp(site, worksite, state.panel, log, 0)
-    update_steering(flight, state)
+    state.carried = carried_by(flight.scenario, flight.site, state.worksite, state.script)
     start_free_flight(flight, worksite, state.plant, 0, from_space=False)
     step(flight, state, None)

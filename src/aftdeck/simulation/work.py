@@ -19,16 +19,16 @@ from aftdeck.simulation.operator.panel import make_ready
 from aftdeck.simulation.parts.worksite_state import WorksiteState
 from aftdeck.simulation.payloads.capture import capture
 from aftdeck.simulation.payloads.contact_log import log_contacts
+from aftdeck.simulation.payloads.fixing import seat
 from aftdeck.simulation.payloads.forces import watch_forces
 from aftdeck.simulation.payloads.free_contact import drifted
+from aftdeck.simulation.payloads.grasp import carried_by
 from aftdeck.simulation.payloads.jets import translation_rejection
 from aftdeck.simulation.payloads.relations import permitted
-from aftdeck.simulation.payloads.seating import seat
 from aftdeck.simulation.payloads.surroundings import follow_bodies
 from aftdeck.simulation.payloads.task_phases import change_task
 from aftdeck.simulation.state import State
 from aftdeck.tuples import Vec3
-from aftdeck.worksite.capture.acquisition import PRONG
 from aftdeck.worksite.free_flight import translate
 from aftdeck.worksite.watch.contact_motion import looked_at, relieves, worst_new_contact
 from aftdeck.worksite.watch.contact_update import update_contacts
@@ -45,7 +45,7 @@ def update_worksite(flight: Flight, state: State, log: Log, inputs: Inputs) -> N
     if plant.bodies is None:
         for k, floating in enumerate(worksite.floating):
             if floating is not None:
-                worksite.floating[k] = drifted(flight, state, k, floating)
+                worksite.floating[k] = drifted(flight, worksite, plant, log, k, floating)
                 worksite.update_carrier(site, k)
     else:
         follow_bodies(site, worksite, plant, plant.bodies)
@@ -60,8 +60,11 @@ def update_worksite(flight: Flight, state: State, log: Log, inputs: Inputs) -> N
         way_out_of_contact(flight, state)
     elif worksite.advice is not None:
         worksite.advice = None
-    capture(flight, state, log, inputs)
-    seat(flight, state, log, inputs.latch)
+    in_grasp, attached = worksite.in_grasp, state.script.attached > 0
+    capture(flight, worksite, plant, state.panel, log, inputs, attached=attached)
+    seat(flight, worksite, plant, log, state.tick, inputs.latch)
+    if worksite.in_grasp != in_grasp:
+        state.carried = carried_by(flight.scenario, site, worksite, state.script)
     if worksite.arm_fixed != was_fixed and state.panel.sequence != "in progress":
         # a berth fixed or freed the arm, so CMD CK's verdict no longer applies
         make_ready(flight.scenario.sequences, state)
@@ -176,9 +179,9 @@ def _move_prong(flight: Flight, worksite: WorksiteState, plant: PlantState, *, a
 def _closing_fraction(site: Site, worksite: WorksiteState, distance: float) -> float:
     """Return the fraction of `distance` [m] that the prong moves until it touches the held payload's bar; at most 1."""
     k = worksite.held
-    if site.bar is None or k is None or (found := site.bar.measured(worksite.watch.placed, k)) is None:
+    if site.capture is None or k is None:
         return 1.0
-    clearance = max(float(found[PRONG]), 0.0)
+    clearance = site.capture.until_touch(worksite.watch.placed, k)
     return 1.0 if distance <= clearance else clearance / distance
 
 

@@ -10,7 +10,7 @@ from aftdeck.arms.load import ArmModel, PorLimits
 from aftdeck.arrays import Array
 from aftdeck.elementary import sincos
 from aftdeck.kinematics.linkage import LINKS
-from aftdeck.kinematics.payload import Payload
+from aftdeck.kinematics.payload import HeldPayload
 from aftdeck.matrices import product
 from aftdeck.steering.layout import (
     AS_FLOWN,
@@ -52,7 +52,7 @@ def rules_of(
     arm: ArmModel,
     por: PorLimits,
     control_period: float,
-    payload: Payload | None = None,
+    payload: HeldPayload | None = None,
     *,
     strict: bool = False,
     guarded: bool = True,

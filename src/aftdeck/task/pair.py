@@ -10,7 +10,7 @@ from collections.abc import Callable, Sequence
 
 from aftdeck.scenario.model import Scenario
 from aftdeck.scenario.on_arm import arm_solids
-from aftdeck.scenario.target import AtCargo, AtSeat
+from aftdeck.scenario.target import AtBerth, AtPayload
 from aftdeck.scenario.task_step import TaskStep
 from aftdeck.simulation.frame import Frame
 from aftdeck.task.remaining import Aims
@@ -23,7 +23,7 @@ class TaskPairs:
     def __init__(self, scenario: Scenario) -> None:
         self._aims = Aims(scenario)
         self._arm = frozenset(solid.part for solid in arm_solids(scenario.arm.model, scenario.worksite))
-        self._cargo = tuple(frozenset(solid.part for solid in cargo.solids) for cargo in scenario.cargo)
+        self._payloads = tuple(frozenset(solid.part for solid in payload.solids) for payload in scenario.payloads)
         self._worksite = scenario.worksite
 
     def nearest(self, watched: Callable[[], Sequence[Near]], frame: Frame, step: TaskStep | None) -> Near | None:
@@ -48,11 +48,11 @@ class TaskPairs:
         """Return the parts that move, and the parts to which they move; empty if there are none."""
         held = self._aims.places.held(frame)
         match self._aims.target(frame, step):
-            case AtCargo(cargo=k) if held is None:
-                return self._arm, self._cargo[k]
-            case AtSeat(seat=name) if held is not None:
-                carrier = self._aims.places.seats[name].frame
+            case AtPayload(payload=k) if held is None:
+                return self._arm, self._payloads[k]
+            case AtBerth(berth=name) if held is not None:
+                carrier = self._aims.places.berths[name].frame
                 fixed = (solid.part for solid in self._worksite.solids if solid.frame == carrier)
-                return self._cargo[held], frozenset(fixed)
+                return self._payloads[held], frozenset(fixed)
             case _:
                 return frozenset(), frozenset()

@@ -10,11 +10,11 @@ from aftdeck.arrays import Array
 from aftdeck.frames import Pose
 from aftdeck.matrices import dots, product
 from aftdeck.scenario.model import Scenario
-from aftdeck.scenario.relative import at_cargo, at_seat, composed, inverted, scene_in_l, takes
-from aftdeck.scenario.target import AtCargo, AtSeat, InFrame, RelativeTarget, Target
+from aftdeck.scenario.relative import at_berth, at_payload, composed, inverted, scene_in_l, takes
+from aftdeck.scenario.target import AtBerth, AtPayload, InFrame, RelativeTarget, Target
 from aftdeck.simulation.frame import Frame
 from aftdeck.tuples import Rows, Vec3
-from aftdeck.worksite.model import Seat
+from aftdeck.worksite.berths.berth import Berth
 
 
 class Places:
@@ -25,9 +25,9 @@ class Places:
     """
 
     def __init__(self, scenario: Scenario) -> None:
-        self._model, self._cargo = scenario.arm.model, scenario.cargo
-        self._index = {cargo.name: k for k, cargo in enumerate(scenario.cargo)}
-        self.seats = {seat.name: seat for seat in scenario.worksite.seats}
+        self._model, self._payloads = scenario.arm.model, scenario.payloads
+        self._index = {payload.name: k for k, payload in enumerate(scenario.payloads)}
+        self.berths = {berth.name: berth for berth in scenario.worksite.berths}
         self._scene = scene_in_l(scenario.arm.model.mount, scenario.worksite.origin)
 
     def tip(self, frame: Frame) -> Pose:
@@ -36,8 +36,8 @@ class Places:
 
     def payload(self, frame: Frame, k: int) -> Pose:
         """Return the pose of payload k."""
-        cargo = frame.work.cargo[k]
-        return _pose(cargo.position, cargo.orientation)
+        payloads = frame.work.cargo[k]
+        return _pose(payloads.position, payloads.orientation)
 
     def carrier(self, frame: Frame, name: str) -> Pose:
         """Return the pose of a coordinate frame: ``orbiter``, ``space``, or a payload's."""
@@ -52,18 +52,18 @@ class Places:
 
     def held(self, frame: Frame) -> int | None:
         """Return the index of the held payload; None if the end effector holds none."""
-        return next((k for k, cargo in enumerate(frame.work.cargo) if cargo.held), None)
+        return next((k for k, payload in enumerate(frame.work.cargo) if payload.held), None)
 
     def target(self, frame: Frame, target: Target | RelativeTarget) -> Pose | None:
         """Return the pose of the tip at a target; None if the target is a berth and no payload is held."""
         match target:
             case Target():
                 return target.pose
-            case AtCargo(cargo=k):
-                return composed(self.payload(frame, k), at_cargo(self._model, self._cargo[k], target))
+            case AtPayload(payload=k):
+                return composed(self.payload(frame, k), at_payload(self._model, self._payloads[k], target))
             case InFrame():
                 return composed(self.carrier(frame, target.frame), target.pose)
-            case AtSeat():
+            case AtBerth():
                 if (held := self.held(frame)) is None:
                     return None
                 in_payload = composed(inverted(self.payload(frame, held)), self.tip(frame))
@@ -77,10 +77,10 @@ class Places:
         """
         out = self.way_out(frame, target)
         match target:
-            case AtCargo(cargo=k, above=above) if out is not None:
-                pose = composed(self.payload(frame, k), at_cargo(self._model, self._cargo[k], target))
+            case AtPayload(payload=k, above=above) if out is not None:
+                pose = composed(self.payload(frame, k), at_payload(self._model, self._payloads[k], target))
                 return above + _along(out, self.tip(frame).position - pose.position)
-            case AtSeat(above=above) if out is not None and (held := self.held(frame)) is not None:
+            case AtBerth(above=above) if out is not None and (held := self.held(frame)) is not None:
                 pose = self._seated(frame, target, held)
                 return above + _along(out, self.payload(frame, held).position - pose.position)
             case _:
@@ -92,41 +92,40 @@ class Places:
         It leads back along the end effector's axis from a payload, up out of the bay, or out from a port.
         """
         match target:
-            case AtCargo(cargo=k):
-                pose = composed(self.payload(frame, k), at_cargo(self._model, self._cargo[k], target))
+            case AtPayload(payload=k):
+                pose = composed(self.payload(frame, k), at_payload(self._model, self._payloads[k], target))
                 return -pose.rotation[:, 0]
-            case AtSeat():
-                seat = self.seats[target.seat]
-                turn = product(self.carrier(frame, seat.frame).rotation, seat.pose.rotation)
-                return turn[:, 0] if seat.kind == "port" else turn[:, 2]
+            case AtBerth():
+                berth = self.berths[target.berth]
+                return product(self.carrier(frame, berth.frame).rotation, berth.pose.rotation)[:, berth.out]
             case _:
                 return None
 
     def fixture(self, frame: Frame) -> int | None:
         """Return the index of the payload whose fixture or bar is nearest to the tip; None if there is none."""
         tip = self.tip(frame).position
-        able = (k for k, cargo in enumerate(self._cargo) if takes(self._model, cargo))
-        return min(able, key=lambda k: self._away(frame, AtCargo(k), tip), default=None)
+        able = (k for k, payload in enumerate(self._payloads) if takes(self._model, payload))
+        return min(able, key=lambda k: self._away(frame, AtPayload(k), tip), default=None)
 
-    def berth(self, frame: Frame, k: int) -> Seat | None:
+    def berth(self, frame: Frame, k: int) -> Berth | None:
         """Return the nearest berth that accepts payload k; None if there is none."""
-        cargo = self._cargo[k]
-        fitting = [seat for seat in self.seats.values() if not seat.lacks(cargo.probe, cargo.trunnions)]
+        payload = self._payloads[k]
+        fitting = [berth for berth in self.berths.values() if not berth.lacks(payload.probe, payload.trunnions)]
         here = self.payload(frame, k).position
         return min(
             fitting,
-            key=lambda seat: math.dist(self._seated(frame, AtSeat(seat.name), k).position, here),
+            key=lambda berth: math.dist(self._seated(frame, AtBerth(berth.name), k).position, here),
             default=None,
         )
 
-    def _away(self, frame: Frame, target: AtCargo, tip: Array) -> float:
+    def _away(self, frame: Frame, target: AtPayload, tip: Array) -> float:
         pose = self.target(frame, target)
         assert pose is not None, "a payload always has a pose"
         return math.dist(pose.position, tip)
 
-    def _seated(self, frame: Frame, target: AtSeat, k: int) -> Pose:
-        seat = self.seats[target.seat]
-        return composed(self.carrier(frame, seat.frame), at_seat(seat, self._cargo[k], target))
+    def _seated(self, frame: Frame, target: AtBerth, k: int) -> Pose:
+        berth = self.berths[target.berth]
+        return composed(self.carrier(frame, berth.frame), at_berth(berth, self._payloads[k], target))
 
 
 def _pose(position: Vec3, orientation: Rows) -> Pose:

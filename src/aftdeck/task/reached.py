@@ -73,8 +73,8 @@ def _panel(wanted: StateSpec, now: Frame) -> bool:
 
 def _work(wanted: StateSpec, now: Frame) -> bool:
     hand, payloads = now.work.hand, now.work.cargo
-    held = [cargo for cargo in payloads if cargo.held]
-    seats = {cargo.seat for cargo in held or payloads}
+    held = [payload for payload in payloads if payload.held]
+    seats = {payload.seat for payload in held or payloads}
     return (
         wanted.held in (None, bool(held))
         and wanted.fixed in (None, any(seats))

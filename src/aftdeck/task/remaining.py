@@ -11,7 +11,7 @@ from aftdeck.frames import Pose, angle_between
 from aftdeck.matrices import product
 from aftdeck.scenario.model import Scenario
 from aftdeck.scenario.relative import composed, inverted
-from aftdeck.scenario.target import AtCargo, AtSeat, RelativeTarget, Target, target_at
+from aftdeck.scenario.target import AtBerth, AtPayload, RelativeTarget, Target, target_at
 from aftdeck.scenario.task_step import TaskStep
 from aftdeck.simulation.frame import Frame
 from aftdeck.steering.mode import MODES
@@ -86,13 +86,12 @@ class Aims:
         if target is None or pose is None:
             return None
         match target:
-            case AtSeat(seat=name, above=above):
-                seat = self.places.seats[name]
-                away = "before" if seat.kind == "port" else "above"
-                to = f"{away} {seat.title}" if above > _AWAY_M else seat.title
-                left = self._to(frame, to, pose, self._near(step, (seat.distance, seat.angle)))
+            case AtBerth(berth=name, above=above):
+                berth = self.places.berths[name]
+                to = f"{berth.away} {berth.title}" if above > _AWAY_M else berth.title
+                left = self._to(frame, to, pose, self._near(step, (berth.distance, berth.angle)))
                 return left if above > _AWAY_M else _ready(left, frame)
-            case AtCargo(above=above):
+            case AtPayload(above=above):
                 to = f"above {self._fixture}" if above > _AWAY_M else self._fixture
                 left = self._to(frame, to, pose, self._near(step))
                 return left if above > _AWAY_M else _ready(left, frame)
@@ -112,9 +111,9 @@ class Aims:
     def _objective(self, frame: Frame) -> Target | RelativeTarget | None:
         if (k := self.places.held(frame)) is None:
             k = self.places.fixture(frame)
-            return None if k is None else AtCargo(k)
-        seat = None if frame.work.objective is None else self.places.berth(frame, k)
-        return None if seat is None else AtSeat(seat.name)
+            return None if k is None else AtPayload(k)
+        berth = None if frame.work.objective is None else self.places.berth(frame, k)
+        return None if berth is None else AtBerth(berth.name)
 
     def _to(self, frame: Frame, to: str, pose: Pose, near: tuple[float, float]) -> Remaining:
         at, tip = target_at(pose), self.places.tip(frame)

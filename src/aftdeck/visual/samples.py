@@ -37,8 +37,8 @@ def sampled_poses(scenario: Scenario, frames: tuple[str, ...]) -> Array:
                 row[k] = HERE
                 row[k, 0] += 0.0 if name == "orbiter" else _AWAY * (1 + k)
         rows.append(row)
-    for payload in scenario.cargo:
-        for seat in scenario.worksite.seats:
+    for payload in scenario.payloads:
+        for seat in scenario.worksite.berths:
             if payload.name in frames and not seat.lacks(payload.probe, payload.trunnions):
                 row = np.tile(np.array(HERE), (len(frames), 1))
                 row[:, 0] += [_AWAY * (1 + k) * (name not in STILL) for k, name in enumerate(frames)]

@@ -1,6 +1,9 @@
 """The worksite: the bodies around the arm, their solids for collision, the berths of payloads, and the cameras."""
 
+from aftdeck.worksite.berths.berth import Berth
+from aftdeck.worksite.body import Body
 from aftdeck.worksite.file.load import load_worksite, worksites
-from aftdeck.worksite.model import Body, Cargo, Seat, Worksite
+from aftdeck.worksite.model import Worksite
+from aftdeck.worksite.payload import Payload
 
-__all__ = ["Body", "Cargo", "Seat", "Worksite", "load_worksite", "worksites"]
+__all__ = ["Berth", "Body", "Payload", "Worksite", "load_worksite", "worksites"]

@@ -118,7 +118,7 @@ def _centre(sim: Simulation, kind: str) -> tuple[Array, Array]:
         assert mass is not None
         return base.position + base.rotation @ mass.in_l(sim.scenario.arm.model.mount).centre, base.rotation
     pose = pose_of(bodies_of(sim).payloads[0].copy())
-    return pose.position + pose.rotation @ sim.scenario.cargo[0].centre_of_mass, pose.rotation
+    return pose.position + pose.rotation @ sim.scenario.payloads[0].centre_of_mass, pose.rotation
 
 
 @pytest.mark.parametrize("period", [0.005, 0.02, 0.08, 0.2])
@@ -132,7 +132,7 @@ def test_impulse_does_not_depend_on_the_control_period(period: float, seed: int)
     for _ in range(math.ceil(1.2 / period)):
         sim.advance(Inputs())
     body = bodies_of(sim)
-    pose, cargo = pose_of(body.payloads[0]), sim.scenario.cargo[0]
+    pose, cargo = pose_of(body.payloads[0]), sim.scenario.payloads[0]
     velocity = body.motions[0, 3:] + pose.rotation @ np.cross(body.motions[0, :3], cargo.centre_of_mass)
     assert cargo.mass * velocity == pytest.approx([50.0 * duration, 0.0, 0.0], rel=1e-9, abs=1e-9)
 

@@ -187,7 +187,7 @@ def test_command_takes_the_payload_that_a_scenario_attaches_or_grasps(
     held = sim.look().payload
     assert held is not None
     tip, pose = arm("srms").forward(sim.scenario.initial_angles), Pose(*map(np.array, held))
-    cargo, turn = sim.scenario.cargo[0], tip.rotation.T @ pose.rotation
+    cargo, turn = sim.scenario.payloads[0], tip.rotation.T @ pose.rotation
     grasped = MassProperties(cargo.mass, tip.rotation.T @ (pose.position - tip.position), turn @ cargo.inertia @ turn.T)
     printed = aftdeck.json("arm", "srms", "frequencies", "--payload", "srms-berth")["frequencies_hz"]
     assert printed == pytest.approx(frequencies(srms, STRAIGHT, payload=grasped))

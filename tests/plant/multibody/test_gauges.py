@@ -120,7 +120,7 @@ def test_load_is_the_rate_of_the_momentum_beyond_the_cut(cut: Cut, body: str) ->
 def test_load_at_the_tip_moves_a_held_payload_of_the_worksite(plant: str) -> None:
     given = aftdeck.load_scenario("srms-berth", {"plant": plant, "control_period": PERIOD, "phase": []})
     sim, places = Simulation(given, gauged=True), []
-    (mass,) = [cargo.mass for cargo in given.cargo]
+    (mass,) = [cargo.mass for cargo in given.payloads]
     forces = []
     for _ in range(400):
         sim.advance(Inputs(mode="ORB LD", translation=(0.0, 0.0, -1.0)))

@@ -142,7 +142,7 @@ def test_translation_of_a_fixed_orbiter_is_rejected() -> None:
 @pytest.mark.slow
 def test_free_flyer_with_attitude_control_stays_in_its_deadband() -> None:
     sim = flyer("fixed")
-    cycle = sim._flight.site.cargo[0].limit_cycle
+    cycle = sim._flight.site.payloads[0].limit_cycle
     assert cycle is not None
     reference = bodies_of(sim).payloads[0, 3:].reshape(3, 3).copy()
     greatest, speeds = np.zeros(3), np.zeros(3)
@@ -157,7 +157,7 @@ def test_free_flyer_with_attitude_control_stays_in_its_deadband() -> None:
 def test_saved_run_continues_to_the_last_bit_when_a_payloads_jets_fire() -> None:
     """The payload's own axes are those of the restored state, not those where the other simulation was."""
     sim, fired = flyer("fixed"), 0
-    cargo, period = sim._flight.site.cargo, sim.scenario.control_period
+    cargo, period = sim._flight.site.payloads, sim.scenario.control_period
     for _ in range(4000):
         if attitude_torques(cargo, sim._state.worksite.floating, bodies_of(sim), period):
             fired += 1
@@ -186,7 +186,7 @@ def test_tumbling_body_follows_eulers_equations() -> None:
             ],
         },
     )
-    assert given.cargo[0].limit_cycle is None
+    assert given.payloads[0].limit_cycle is None
     sim = Simulation(given)
     for _ in range(3000):
         sim.advance(Inputs())

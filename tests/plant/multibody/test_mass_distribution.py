@@ -93,9 +93,9 @@ def test_payload_of_a_worksite_has_the_given_distribution(source: str, seed: int
 def test_mass_of_a_scenario_scales_the_whole_tensor(seed: int) -> None:
     points, fields = cloud(seed), cloud(seed).fields()
     tripled = {**fields, "mass": 3.0 * points.mass}
-    given, heavy = (_deployed([{"name": "payload", **one}]).cargo[0] for one in (fields, tripled))
+    given, heavy = (_deployed([{"name": "payload", **one}]).payloads[0] for one in (fields, tripled))
     assert heavy.inertia == pytest.approx(given.inertia), "a tensor that is given does not change with the mass"
-    uniform, double = (_deployed([{"name": "payload", "mass": mass}]).cargo[0] for mass in (500.0, 1000.0))
+    uniform, double = (_deployed([{"name": "payload", "mass": mass}]).payloads[0] for mass in (500.0, 1000.0))
     assert double.inertia == pytest.approx(2.0 * uniform.inertia)
 
 

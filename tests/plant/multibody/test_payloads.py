@@ -22,6 +22,7 @@ from aftdeck.plant.state import Bodies
 from aftdeck.scenario.model import Scenario
 from aftdeck.simulation.inputs import Inputs
 from aftdeck.simulation.run import Simulation
+from aftdeck.worksite.capture.snares import Snares
 
 STRETCHED = ["0 deg", "90 deg", "-10 deg", "-90 deg", "0 deg", "0 deg"]
 """Arm up and nearly straight, with the end effector at right angles: a force along its axis acts on the whole arm."""
@@ -48,11 +49,14 @@ def free_flyer(plant: str, mass: float = 15_000.0, ahead: float = 0.09) -> Simul
     """
     first = Simulation(scenario(plant))
     site, frames = first._flight.site, first._state.worksite.frames
-    assert site.snares is not None
+    snares = site.capture
+    assert isinstance(snares, Snares)
+    fixture = snares.fixtures[0]
+    assert fixture is not None
     effector, pin, payload, scene = (np.empty(POSE) for _ in range(4))
     compose(frames[site.last_joint], site.effector, effector)
     compose(effector, row_of(Pose(np.array([ahead, 0.02, -0.02]), np.eye(3))), pin)
-    compose(pin, inverse(site.snares.fixture(0)), payload)
+    compose(pin, inverse(fixture), payload)
     relative(site.scene, payload, scene)
     at = pose_of(scene)
     along = site.scene[3:].reshape(3, 3).T @ effector[3:].reshape(3, 3) @ [-APPROACH, 0.0, 0.0]
@@ -193,9 +197,9 @@ def test_greatest_force_of_a_capture_is_logged(plant: str) -> None:
 
 
 def test_mass_of_a_scenario_scales_the_inertia_and_inertia_replaces_it() -> None:
-    own, heavy = (scenario("rigid", [{"name": "payload", "mass": mass}]).cargo[0] for mass in (1000.0, 3000.0))
+    own, heavy = (scenario("rigid", [{"name": "payload", "mass": mass}]).payloads[0] for mass in (1000.0, 3000.0))
     assert heavy.inertia == pytest.approx(3.0 * own.inertia)
-    given = scenario("rigid", [{"name": "payload", "inertia": [100.0, 200.0, 250.0]}]).cargo[0]
+    given = scenario("rigid", [{"name": "payload", "inertia": [100.0, 200.0, 250.0]}]).payloads[0]
     assert given.inertia == pytest.approx(np.diag([100.0, 200.0, 250.0]))
     with pytest.raises(ScenarioError, match=r"cargo\[0\].inertia"):
         scenario("rigid", [{"name": "payload", "inertia": [100.0, 200.0, 350.0]}])

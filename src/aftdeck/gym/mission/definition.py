@@ -6,7 +6,7 @@ import math
 from typing import NamedTuple
 
 from aftdeck.gym.terms import Control, Observed, Rewarded
-from aftdeck.scenario.target import AtCargo, AtSeat
+from aftdeck.scenario.target import AtBerth, AtPayload
 from aftdeck.scenario.task_step import TaskStep
 from aftdeck.simulation.readings.quantity import UNITS
 from aftdeck.simulation.readings.table import named
@@ -64,11 +64,11 @@ class Mission(NamedTuple):
         """Return whether a step of a scenario's task is the one that this environment flies."""
         match self.name:
             case "Capture":
-                return isinstance(step.target, AtCargo) and step.done.held is True
+                return isinstance(step.target, AtPayload) and step.done.held is True
             case "Extract":
-                return isinstance(step.target, AtSeat) and step.done.held is True and step.done.above is not None
+                return isinstance(step.target, AtBerth) and step.done.held is True and step.done.above is not None
             case _:
-                return isinstance(step.target, AtSeat) and step.done.berth is not None and step.done.held is None
+                return isinstance(step.target, AtBerth) and step.done.berth is not None and step.done.held is None
 
 
 STICKS = (

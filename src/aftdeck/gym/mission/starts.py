@@ -9,7 +9,7 @@ from aftdeck.frames import Pose, rotation_x, rotation_y, rotation_z
 from aftdeck.gym.mission.definition import Mission, Spread
 from aftdeck.matrices import product
 from aftdeck.scenario.model import Scenario, Start
-from aftdeck.scenario.target import AtCargo, AtSeat
+from aftdeck.scenario.target import AtBerth, AtPayload
 from aftdeck.scenario.task_step import TaskStep
 from aftdeck.simulation.frame import Frame
 from aftdeck.task.places import Places
@@ -34,7 +34,7 @@ def base_of(scenario: Scenario, step: TaskStep) -> Start:
     Raises:
         InputError: the step needs a held payload, and no initial conditions give one.
     """
-    if isinstance(step.target, AtCargo):
+    if isinstance(step.target, AtPayload):
         return scenario.start
     for start in (scenario.start, *scenario.parts.values()):
         if start.grasped is not None:
@@ -67,14 +67,14 @@ class Starts:
             return None
         return Start(angles, np.zeros(len(angles)), self._base.stand, self._base.grasped)
 
-    def _target(self, away: float, across: list[float]) -> AtCargo | AtSeat:
+    def _target(self, away: float, across: list[float]) -> AtPayload | AtBerth:
         """Return the step's target, displaced along the way out and across it."""
         a, b = across
         match self._step.target:
-            case AtCargo(cargo=k):
-                return AtCargo(k, away, (a, b, 0.0))
-            case AtSeat(seat=name):
-                port = self._places.seats[name].kind == "port"
-                return AtSeat(name, away, (0.0, a, b) if port else (a, b, 0.0))
+            case AtPayload(payload=k):
+                return AtPayload(k, away, (a, b, 0.0))
+            case AtBerth(berth=name):
+                out = self._places.berths[name].out
+                return AtBerth(name, away, (0.0, a, b) if out == 0 else (a, b, 0.0))
             case _:
                 raise AssertionError("`step_of` chooses steps with a target at a payload or a berth")

@@ -106,7 +106,7 @@ class Moments:
 
     def __init__(self, scenario: Scenario) -> None:
         self._period_s = scenario.control_period
-        self._ports = {seat.name for seat in scenario.worksite.seats if seat.kind == "port"}
+        self._ports = {berth.name for berth in scenario.worksite.berths if berth.docks}
         self._seen: dict[Kind, tuple[int, Misalignment]] = {}
         self._releases = 0
         self._freely: tuple[float, float] | None = None  # angular rate and speed after the last release

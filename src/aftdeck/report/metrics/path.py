@@ -55,4 +55,4 @@ class Path:
 
 def _handling(frame: Frame) -> list[tuple[bool, str]]:
     """Return, for each payload, whether it is held, and its berth."""
-    return [(cargo.held, cargo.seat) for cargo in frame.work.cargo]
+    return [(payload.held, payload.seat) for payload in frame.work.cargo]

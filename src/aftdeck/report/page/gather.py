@@ -130,7 +130,7 @@ def gathered(recording: Recording, *, gauged: bool = False) -> Gathered:
             events += message.events
             moments.see(message)
             tip.extend(message.position)
-            held.extend(next((cargo.position for cargo in message.work.cargo if cargo.held), _NONE))
+            held.extend(next((payload.position for payload in message.work.cargo if payload.held), _NONE))
     if not tip:
         raise RecordingError(f"{recording.path}: ends before its first step and has no report", "empty")
     return Gathered(

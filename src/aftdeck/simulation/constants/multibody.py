@@ -9,7 +9,7 @@ import numpy as np
 from aftdeck.bodies.hexahedron import unpack
 from aftdeck.bodies.pose import pose_of
 from aftdeck.frames import Pose
-from aftdeck.kinematics.payload import Payload
+from aftdeck.kinematics.payload import HeldPayload
 from aftdeck.plant.linear_actuator import travel_of_stand
 from aftdeck.plant.multibody.build import arm_spec, attach
 from aftdeck.plant.multibody.contacts import add_solids
@@ -49,12 +49,12 @@ def _thrusters(scenario: Scenario, site: Site) -> Thrusters | None:
     return Thrusters(site.axes, np.array(jets.torque), jets.least_pulse, jets.angle, jets.rate, force)
 
 
-def _compiled(scenario: Scenario, site: Site, payload: Payload | None, *, solids: bool) -> Any:
+def _compiled(scenario: Scenario, site: Site, payload: HeldPayload | None, *, solids: bool) -> Any:
     """Return the compiled model with one payload of the scenario, or without."""
     arm = scenario.arm.model
     mass = scenario.worksite.orbiter
     orbiter = mass.in_l(arm.mount) if scenario.orbiter != "fixed" and mass is not None else None
-    payloads = [one.properties for one in scenario.cargo]
+    payloads = [one.properties for one in scenario.payloads]
     spec = arm_spec(arm, flexible=scenario.plant == "flexible", orbiter=orbiter, payloads=payloads)
     if payload is not None:
         attach(spec, payload.properties)
@@ -69,6 +69,6 @@ def _add_solids(spec: Any, site: Site) -> None:
     homes = {name: (spec.body(name), here) for name in site.arm.names}
     homes["orbiter"] = spec.body("orbiter") or spec.worldbody, scene
     homes["space"] = spec.worldbody, scene
-    homes |= {payload.name: (spec.body(f"cargo.{k}"), here) for k, payload in enumerate(site.cargo)}
+    homes |= {payload.name: (spec.body(f"cargo.{k}"), here) for k, payload in enumerate(site.payloads)}
     frames = [layout.frames[frame] for frame in layout.frame.tolist()]
     add_solids(spec, [unpack(solid) for solid in layout.solids], frames, homes)

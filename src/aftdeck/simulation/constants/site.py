@@ -19,10 +19,11 @@ from aftdeck.scenario import relative
 from aftdeck.scenario.model import Scenario
 from aftdeck.scenario.on_arm import arm_solids
 from aftdeck.scenario.payload import PART
-from aftdeck.simulation.constants.berths import Berth, berth_of
-from aftdeck.simulation.constants.hand import Bar, Snares, bar_of, snares_of
-from aftdeck.worksite.file.cargo import part_of
-from aftdeck.worksite.model import ALIGNED, Cargo, Relation, Seat, Worksite
+from aftdeck.worksite.berths.berth import Berth, Fit
+from aftdeck.worksite.capture.effector import EndEffector, MadeFor
+from aftdeck.worksite.model import Worksite
+from aftdeck.worksite.payload import Payload, part_of
+from aftdeck.worksite.relation import ALIGNED, Meeting
 from aftdeck.worksite.watch.groups import CENTRE, Layout, PartPair, layout_of
 from aftdeck.worksite.watch.pairs import among, part_pairs
 
@@ -35,25 +36,6 @@ longer than the link (assumed). `_stationary_parts` uses the same length."""
 
 
 @dataclass(frozen=True, eq=False)
-class Meeting:
-    """Monitored pair of two parts that the task brings into contact.
-
-    Attributes:
-        group: index of the pair in the layout.
-        cargo: index of the payload to which one of the parts belongs.
-        relation: name of the relative position in which the two parts may touch.
-        depth: permitted penetration depth, and permitted distance past the plane of contact, such as a port's face [m].
-        trunnions: (m,) index of the trunnion that belongs to each pair of solids; (0,) if the relation is not "guides".
-    """
-
-    group: int
-    cargo: int
-    relation: Relation
-    depth: float
-    trunnions: Indices
-
-
-@dataclass(frozen=True, eq=False)
 class Site:
     """Constants of the worksite: frames, pairs of parts that can touch, and poses of the payloads in their berths.
 
@@ -61,7 +43,7 @@ class Site:
 
     Attributes:
         worksite: the worksite as its file describes it.
-        cargo: the payloads at the worksite.
+        payloads: the payloads at the worksite.
         arm: the arm's frames.
         layout: solids and monitored pairs.
         essential: (g,) 1 for pairs that the task brings into contact.
@@ -71,7 +53,7 @@ class Site:
             touch.
         by_arm: (g,) 1 for pairs with a part of the arm.
         by_prong: (g,) 1 for pairs with the prong; all 0 for an arm without a prong.
-        of_cargo: for each payload, (g,) 1 for pairs with a part of the payload.
+        of_payload: for each payload, (g,) 1 for pairs with a part of the payload.
         held: for each payload, (g,) 1 for its pairs with the end effector. These pairs are not monitored while the end
             effector holds the payload.
         not_held: for each payload, (g,) 0 for these pairs, and 1 for all others.
@@ -81,12 +63,10 @@ class Site:
         hand: (12,) pose of the tip in the frame of the last joint.
         effector: (12,) pose of the end effector's own axes E at the tip, in the frame of the last joint.
         prong: True if the end effector has a prong, False if it has snares.
-        bar: constants of capture with the prong; None if the arm has no prong, or if the worksite has no rules for
-            a prong.
-        snares: constants of capture with the snares; None if the worksite has no rules for snares.
+        capture: constants of capture; None if the worksite has no rules for the arm's end effector.
         detrimental: (g,) 1 for pairs that are not essential.
         axes: (3, 3) the orbiter's axes (forward, starboard, down) in L.
-        berths: for each payload, the constants of the berths that accept the payload.
+        fits: for each payload, its constants in each berth that accepts it.
         berth_rows: for each payload, (n,) rows of the frames to which its berths are fixed.
         berth_places: for each payload, (n, 12) poses of the payload in its berths, in the frames of `berth_rows`.
         starts: for each payload, (12,) its pose in the scene at the start.
@@ -98,7 +78,7 @@ class Site:
     """
 
     worksite: Worksite
-    cargo: tuple[Cargo, ...]
+    payloads: tuple[Payload, ...]
     arm: Frames
     layout: Layout
     essential: Mask
@@ -107,7 +87,7 @@ class Site:
     meeting_aligns: Mask
     by_arm: Mask
     by_prong: Mask
-    of_cargo: tuple[Mask, ...]
+    of_payload: tuple[Mask, ...]
     held: tuple[Mask, ...]
     not_held: tuple[Mask, ...]
     seated: dict[tuple[int, str], Mask]
@@ -115,11 +95,10 @@ class Site:
     hand: Array
     effector: Array
     prong: bool
-    bar: Bar | None
-    snares: Snares | None
+    capture: EndEffector | None
     detrimental: Mask
     axes: Array
-    berths: tuple[tuple[Berth, ...], ...]
+    fits: tuple[tuple[Fit, ...], ...]
     berth_rows: tuple[Indices, ...]
     berth_places: tuple[Array, ...]
     starts: tuple[Array, ...]
@@ -146,33 +125,29 @@ class Site:
         """
         return permitted if sliding is None else permitted | self.slides[sliding]
 
-    def cargo_row(self, index: int) -> int:
+    def payload_row(self, index: int) -> int:
         """Return the row of a payload's frame."""
         return self.space_row + 1 + index
 
-    def seat(self, name: str) -> Seat:
+    def berth(self, name: str) -> Berth:
         """Return the berth with this name."""
-        return next(seat for seat in self.worksite.seats if seat.name == name)
+        return next(berth for berth in self.worksite.berths if berth.name == name)
 
-    def berth(self, k: int, name: str) -> Berth | None:
+    def fit(self, k: int, name: str) -> Fit | None:
         """Return the constants of payload k in the berth with this name; None if the berth does not accept it."""
-        return next((berth for berth in self.berths[k] if berth.seat.name == name), None)
+        return next((fit for fit in self.fits[k] if fit.berth.name == name), None)
 
     def in_space(self, name: str) -> bool:
         """Return whether a berth is fixed in the frame ``space``, which does not move with the orbiter."""
-        return self.seat(name).frame == "space"
-
-    def is_passive_berth(self, name: str) -> bool:
-        """Return whether this berth fixes a payload upon release by the end effector, and frees it upon capture."""
-        return any(berth.is_passive for own in self.berths for berth in own if berth.seat.name == name)
+        return self.berth(name).frame == "space"
 
 
 @lru_cache(maxsize=8)
 def site_of(scenario: Scenario) -> Site:
     """Return the worksite constants of a scenario; for a scenario that was asked for before, the same constants."""
-    model, worksite, cargo = scenario.arm.model, scenario.worksite, scenario.cargo
+    model, worksite, payloads = scenario.arm.model, scenario.worksite, scenario.payloads
     arm = frames_of(model)
-    frames = ("orbiter", *arm.names, "space", *(payload.name for payload in cargo))
+    frames = ("orbiter", *arm.names, "space", *(payload.name for payload in payloads))
     own, held = arm_solids(model, worksite), _attached_solids(scenario)
     solids = all_solids(scenario)
     foot, *joints = model.linkage.frames
@@ -185,27 +160,31 @@ def site_of(scenario: Scenario) -> Site:
     attached = {(part, solid.part) for part in hand for solid in held}
     layout = layout_of(frames, solids, part_pairs(solids, chain, mounted | attached | _unfoldable_pairs(model, own)))
     own_parts = {solid.part for solid in own}
-    parts = [{solid.part for solid in payload.solids} for payload in cargo]
+    parts = [{solid.part for solid in payload.solids} for payload in payloads]
     by_arm = np.zeros(len(layout.groups), np.uint8)
     if own_parts:
         by_arm = layout.carried(arm.names)
-    meetings = _meetings(worksite, layout, cargo)
+    meetings = _meetings(worksite, layout, payloads)
     essential = np.zeros(len(layout.groups), np.uint8)
     essential[[meeting.group for meeting in meetings]] = 1
-    of_cargo = tuple(layout.carried([payload.name]) for payload in cargo)
+    of_payload = tuple(layout.carried([payload.name]) for payload in payloads)
     with_hand = tuple(layout.between(hand, own_parts) for own_parts in parts)
     walls = [solid.part for solid in worksite.solids if solid.frame == "orbiter"]
-    berths = tuple(
+    fits = tuple(
         tuple(
-            berth_of(seat, ORBITER if seat.frame == "orbiter" else 1 + len(arm.names), payload, scenario.docking_axes)
-            for seat in worksite.seats
-            if not seat.lacks(payload.probe, payload.trunnions)
+            berth.fit(payload, ORBITER if berth.frame == "orbiter" else 1 + len(arm.names), scenario.docking_axes)
+            for berth in worksite.berths
+            if not berth.lacks(payload.probe, payload.trunnions)
         )
-        for payload in cargo
+        for payload in payloads
     )
+    effector = row_of(Pose(model.linkage.tip, rotation_x(model.end_effector_roll)))
+    rows = tuple(range(2 + len(arm.names), len(frames)))
+    hand_row = arm.names.index(model.linkage.frames[-1]) + 1
+    made_for = MadeFor(model, payloads, [solid.part for solid in solids], hand_row, effector, rows)
     return Site(
         worksite=worksite,
-        cargo=cargo,
+        payloads=payloads,
         arm=arm,
         layout=layout,
         essential=essential,
@@ -214,50 +193,50 @@ def site_of(scenario: Scenario) -> Site:
         meeting_aligns=np.array([meeting.relation in ALIGNED for meeting in meetings], dtype=np.uint8),
         by_arm=by_arm,
         by_prong=np.zeros_like(by_arm) if model.prong is None else layout.carried([model.prong.frame]),
-        of_cargo=of_cargo,
+        of_payload=of_payload,
         held=with_hand,
         not_held=tuple(1 - pairs for pairs in with_hand),
         seated={
-            (k, seat.name): layout.between(own_parts, _parts_of(worksite, seat))
+            (k, berth.name): layout.between(own_parts, _parts_of(worksite, berth))
             for k, own_parts in enumerate(parts)
-            for seat in worksite.seats
+            for berth in worksite.berths
         },
         scene=scene_in_l(scenario),
         hand=row_of(Pose(model.linkage.tip, np.eye(3))),
-        effector=row_of(Pose(model.linkage.tip, rotation_x(model.end_effector_roll))),
+        effector=effector,
         prong=model.prong is not None,
-        bar=bar_of(model, worksite, cargo, [solid.part for solid in solids]),
-        snares=snares_of(worksite, cargo),
+        capture=None if worksite.acquisition is None else worksite.acquisition.effector(made_for),
         detrimental=1 - essential,
         axes=model.mount.rotation.T.copy(),
-        berths=berths,
-        berth_rows=tuple(np.array([berth.row for berth in own], dtype=np.int64) for own in berths),
-        berth_places=tuple(np.array([berth.place for berth in own]).reshape(-1, POSE) for own in berths),
-        starts=tuple(row_of(payload.start.pose) for payload in cargo),
+        fits=fits,
+        berth_rows=tuple(np.array([fit.row for fit in own], dtype=np.int64) for own in fits),
+        berth_places=tuple(np.array([fit.place for fit in own]).reshape(-1, POSE) for own in fits),
+        starts=tuple(row_of(payload.start.pose) for payload in payloads),
         slides=tuple(layout.between(own_parts, walls) for own_parts in parts),
-        bodies=tuple(np.flatnonzero(layout.frame == frames.index(one.name)).astype(np.int64) for one in cargo),
+        bodies=tuple(np.flatnonzero(layout.frame == frames.index(one.name)).astype(np.int64) for one in payloads),
         bay=None if worksite.bay is None else np.array([(*worksite.bay.low[:2], -np.inf), worksite.bay.high]),
     )
 
 
-def _meetings(worksite: Worksite, layout: Layout, cargo: tuple[Cargo, ...]) -> tuple[Meeting, ...]:
+def _meetings(worksite: Worksite, layout: Layout, payloads: tuple[Payload, ...]) -> tuple[Meeting, ...]:
     """Return the essential pairs of the worksite's file whose two parts are in the layout."""
     found = []
     for essential in worksite.essential:
         if not set(essential.parts) <= set(layout.parts):
             continue
         frames = {layout.frames[layout.part_frame[layout.part(part)]] for part in essential.parts}
-        for k, payload in enumerate(cargo):
+        for k, payload in enumerate(payloads):
             if payload.name in frames:
                 own = _trunnions(layout, payload) if essential.relation == "guides" else {}
                 for group in np.flatnonzero(among(layout, [essential.parts])).tolist():
-                    pairs = layout.pairs[layout.begins[group] : layout.begins[group + 1]].tolist() if own else ()
-                    trunnions = np.array([own[i if i in own else j] for i, j in pairs], dtype=np.int64)
-                    found.append(Meeting(group, k, essential.relation, essential.depth, trunnions))
+                    pairs = layout.pairs[layout.begins[group] : layout.begins[group + 1]]
+                    held = [own[i if i in own else j] for i, j in pairs.tolist()] if own else []
+                    trunnions = np.array(held, dtype=np.int64)
+                    found.append(Meeting(group, k, essential.relation, essential.depth, pairs, trunnions))
     return tuple(found)
 
 
-def _trunnions(layout: Layout, payload: Cargo) -> dict[int, int]:
+def _trunnions(layout: Layout, payload: Payload) -> dict[int, int]:
     """Return, for each solid of a payload's trunnions, the index of the trunnion whose latch point is nearest."""
     solids = np.flatnonzero(layout.frame == layout.frames.index(payload.name))
     part = part_of(payload.name, "trunnions")
@@ -268,12 +247,12 @@ def _trunnions(layout: Layout, payload: Cargo) -> dict[int, int]:
 
 def all_solids(scenario: Scenario) -> tuple[Solid, ...]:
     """Return all solids of a run: of the arm, of the attached payload, of the worksite and of its payloads."""
-    cargo = (solid for payload in scenario.cargo for solid in payload.solids)
+    theirs = (solid for payload in scenario.payloads for solid in payload.solids)
     return (
         *arm_solids(scenario.arm.model, scenario.worksite),
         *_attached_solids(scenario),
         *scenario.worksite.solids,
-        *cargo,
+        *theirs,
     )
 
 
@@ -347,6 +326,6 @@ def scene_in_l(scenario: Scenario) -> Array:
     return row_of(relative.scene_in_l(scenario.arm.model.mount, scenario.worksite.origin))
 
 
-def _parts_of(worksite: Worksite, seat: Seat) -> set[str]:
+def _parts_of(worksite: Worksite, berth: Berth) -> set[str]:
     """Return the worksite's parts that are fixed to the same frame as a berth."""
-    return {solid.part for solid in worksite.solids if solid.frame == seat.frame}
+    return {solid.part for solid in worksite.solids if solid.frame == berth.frame}

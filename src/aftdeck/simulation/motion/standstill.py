@@ -24,4 +24,5 @@ def fixed_in(site: Site, worksite: WorksiteState) -> str:
     """Return a text with the names of the held payload and its berth; "" if no held payload is fixed to a berth."""
     if worksite.held is None or not worksite.arm_fixed:
         return ""
-    return f"{site.cargo[worksite.held].title} is fixed in the {site.seat(worksite.cargo[worksite.held].seat).title}"
+    berth = site.berth(worksite.payloads[worksite.held].berth)
+    return f"{site.payloads[worksite.held].title} is fixed in the {berth.title}"

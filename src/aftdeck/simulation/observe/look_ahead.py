@@ -69,7 +69,7 @@ class Ahead(msgspec.Struct, frozen=True, gc=False):
     """Joint angles at that time [rad]."""
     stand: float
     """Height of the shoulder at that time [m]."""
-    cargo: tuple[tuple[Vec3, Rows], ...]
+    payloads: tuple[tuple[Vec3, Rows], ...]
     """Centre and axes (rows) of each payload of the worksite at that time, in L [m]."""
     nearest: Near | None
     """Pair with the minimum clearance among those that count for CLEARANCE at that time; None if no pair counts."""
@@ -134,7 +134,7 @@ def look_ahead(flight: Flight, state: State, seconds: float, last: Axis | None =
         moves=bool(np.abs(angles - state.plant.angles).max() > _STILL or height != stand.position),
         angles=predicted,
         stand=height,
-        cargo=tuple(_placed(row) for row in frames[len(frames) - len(site.cargo) :].tolist()),
+        payloads=tuple(_placed(row) for row in frames[len(frames) - len(site.payloads) :].tolist()),
         nearest=None if group < 0 else near_of(site.layout, worksite.contacts.essential, watch.found, group),
         contact_s=contact,
         stopping=_stopping(state),

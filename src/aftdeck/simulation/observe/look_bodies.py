@@ -74,10 +74,10 @@ def _contacts(site: Site, bodies: Bodies) -> tuple[Force, ...]:
 
 def _holds(site: Site, bodies: Bodies) -> tuple[Holding, ...]:
     """Return the forces that hold payloads."""
-    if not site.cargo:
+    if not site.payloads:
         return ()
     return tuple(
-        Holding(site.cargo[k].name, holder, force, greatest)
+        Holding(site.payloads[k].name, holder, force, greatest)
         for k, forces in enumerate(zip(bodies.held.tolist(), bodies.held_greatest.tolist(), strict=True))
         for holder, force, greatest in zip(HOLDERS, *forces, strict=True)
         if greatest

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from functools import lru_cache
-
 import numpy as np
 
 from aftdeck.arrays import Array, Mask
@@ -19,7 +17,7 @@ from aftdeck.simulation.state import State
 from aftdeck.steering.layout import MASTER
 from aftdeck.steering.mode import MODES
 from aftdeck.tuples import Joints, Vec3
-from aftdeck.worksite.capture.snare import Snare, flags
+from aftdeck.worksite.capture import bar, snares
 from aftdeck.worksite.report import Cargo, Hand, Near, Work
 from aftdeck.worksite.watch.found import CLEARANCE, DISTANCE, FEATURE_A, FEATURE_B, NORMAL, POINT_A, POINT_B, SPEED
 from aftdeck.worksite.watch.groups import Layout
@@ -55,7 +53,7 @@ def work_of(flight: Flight, state: State) -> Work:
         stand=state.plant.stand.position if site.prong else None,
         orbiter=_displacement(site, worksite, state.plant),
         orbiter_velocity=_velocity(site, worksite, state.plant),
-        cargo=tuple(_cargo(site, worksite, k, period) for k in range(len(site.cargo))),
+        cargo=tuple(_cargo(site, worksite, k, period) for k in range(len(site.payloads))),
         master=_master(state) if MODES[state.panel.mode].kind == "master" else None,
     )
 
@@ -129,25 +127,13 @@ def near_of(layout: Layout, essential: Mask, found: Array, group: int) -> Near:
 
 def _hand(flight: Flight, worksite: WorksiteState, *, loaded: bool) -> Hand:
     """Return the record of the end effector; `loaded`: whether a payload is in the grasp."""
-    has = flight.scenario.arm.model.prong
-    if has is not None:
-        prong, travel = worksite.prong.position, flight.prong
-        opening = (travel.high - prong) / (travel.high - travel.low)
-        spacing = has.facing - prong
-        shows = (("CAPTURE", loaded), ("CLOSE", opening == 0.0), ("OPEN", opening == 1.0))
-        return Hand(worksite.switch, opening, spacing, None, tuple(name for name, on in shows if on))
-    snare = worksite.snare
-    lit = _lit(snare)
-    return Hand(worksite.switch, 1.0 - snare.ring, None, snare.carriage, lit, worksite.effector_mode, worksite.rigid)
-
-
-@lru_cache(maxsize=16)
-def _lit(snare: Snare) -> tuple[str, ...]:
-    """Return the names of the panel's flags that are lit."""
-    return tuple(name for name, on in flags(snare)._asdict().items() if on)
+    prong = flight.scenario.arm.model.prong
+    if prong is not None:
+        return bar.status(worksite.switch, worksite.prong.position, prong, holds=loaded)
+    return snares.status(worksite.controls())
 
 
 def _cargo(site: Site, worksite: WorksiteState, k: int, period: float) -> Cargo:
-    position, orientation, velocity = moving(worksite.frames, worksite.before, site.cargo_row(k), period)
-    thing = worksite.cargo[k]
-    return Cargo(site.cargo[k].name, position, orientation, velocity, thing.held, thing.seat)
+    position, orientation, velocity = moving(worksite.frames, worksite.before, site.payload_row(k), period)
+    thing = worksite.payloads[k]
+    return Cargo(site.payloads[k].name, position, orientation, velocity, thing.held, thing.berth)

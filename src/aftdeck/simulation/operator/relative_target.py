@@ -9,8 +9,8 @@ import numpy as np
 
 from aftdeck.arrays import Array
 from aftdeck.bodies.pose import POSE, compose, inverse, pose_of, row_of
-from aftdeck.scenario.relative import at_cargo, at_seat
-from aftdeck.scenario.target import AtCargo, AtSeat, InFrame, RelativeTarget, Target, target_at
+from aftdeck.scenario.relative import at_berth, at_payload
+from aftdeck.scenario.target import AtBerth, AtPayload, InFrame, RelativeTarget, Target, target_at
 from aftdeck.simulation.constants.flight import Flight
 from aftdeck.simulation.constants.site import Site
 from aftdeck.simulation.parts.worksite_state import WorksiteState
@@ -21,17 +21,17 @@ def resolve_target(flight: Flight, worksite: WorksiteState, target: RelativeTarg
     """Return the present pose of a relative target; if the pose cannot be computed, return the reason as text."""
     site, frames = flight.site, worksite.frames
     match target:
-        case AtSeat():
+        case AtBerth():
             return _at_seat(site, worksite, target)
-        case AtCargo(cargo=k):
-            over = row_of(at_cargo(flight.scenario.arm.model, site.cargo[k], target))
-            return target_at(pose_of(_composed(frames[site.cargo_row(k)], over)))
+        case AtPayload(payload=k):
+            over = row_of(at_payload(flight.scenario.arm.model, site.payloads[k], target))
+            return target_at(pose_of(_composed(frames[site.payload_row(k)], over)))
         case InFrame():
             carrier = frames[site.layout.frames.index(target.frame)]
             return target_at(pose_of(_composed(carrier, row_of(target.pose))))
 
 
-def _at_seat(site: Site, worksite: WorksiteState, target: AtSeat) -> Target | str:
+def _at_seat(site: Site, worksite: WorksiteState, target: AtBerth) -> Target | str:
     """Return the tip pose with which the held payload is in a berth, or at the target's distance above the berth.
 
     Returns:
@@ -40,10 +40,10 @@ def _at_seat(site: Site, worksite: WorksiteState, target: AtSeat) -> Target | st
     k = worksite.held
     if k is None:
         return "the grasp is empty: there is no payload to move to a berth"
-    berth = site.berth(k, target.seat)
-    if berth is None:
-        return f"the {site.seat(target.seat).title} does not accept {site.cargo[k].title}"
-    seated = _composed(worksite.frames[berth.row], row_of(at_seat(berth.seat, site.cargo[k], target)))
+    fit = site.fit(k, target.berth)
+    if fit is None:
+        return f"the {site.berth(target.berth).title} does not accept {site.payloads[k].title}"
+    seated = _composed(worksite.frames[fit.row], row_of(at_berth(fit.berth, site.payloads[k], target)))
     joint = _composed(seated, inverse(pose_in_hand(site, worksite.frames, k)))
     return target_at(pose_of(_composed(joint, site.hand)))
 

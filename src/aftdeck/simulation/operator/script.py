@@ -18,7 +18,7 @@ from aftdeck.simulation.constants.flight import Flight
 from aftdeck.simulation.inputs import Inputs
 from aftdeck.simulation.motion.stopping import is_at_rest
 from aftdeck.simulation.operator.relative_target import resolve_target
-from aftdeck.simulation.payloads.grasp import set_effector, update_steering
+from aftdeck.simulation.payloads.grasp import carried_by, set_effector
 from aftdeck.simulation.state import Panel, Script, State
 from aftdeck.steering.layout import AIMS, ARRIVED, DT, RATE, RATE_UP, RATES, SPEED, TURN
 from aftdeck.steering.limiters import braked
@@ -54,7 +54,7 @@ def hand_over(flight: Flight, state: State) -> None:
     """Cancel the rate limits of the script's phase, because an operator now supplies the inputs."""
     if state.script.limits >= 0:
         state.script.limits = -1
-        update_steering(flight, state)
+        state.carried = carried_by(flight.scenario, flight.site, state.worksite, state.script)
 
 
 def _prepare(flight: Flight, state: State, phase: PhasePlan) -> None:
@@ -67,7 +67,7 @@ def _prepare(flight: Flight, state: State, phase: PhasePlan) -> None:
     if phase.attaches is not None:
         script.attached = phase.attaches
         set_effector(flight, state.worksite, holding=phase.attaches > 0)
-    update_steering(flight, state)
+    state.carried = carried_by(flight.scenario, flight.site, state.worksite, state.script)
 
 
 def end_if_time_is_up(flight: Flight, state: State) -> None:

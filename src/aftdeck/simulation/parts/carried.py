@@ -9,7 +9,7 @@ from __future__ import annotations
 from dataclasses import replace
 
 from aftdeck.arrays import Array
-from aftdeck.kinematics.payload import Payload
+from aftdeck.kinematics.payload import HeldPayload
 from aftdeck.scenario.limits import por_with
 from aftdeck.scenario.model import RateLimits, Scenario
 from aftdeck.state_part import Cache
@@ -17,19 +17,19 @@ from aftdeck.steering.rules import Key, rules_of
 
 
 class SteeringSetup(Cache):
-    """Payload in the grasp, and the steering's rules for it; `grasp.update_steering` derives both from the state.
+    """Payload in the grasp, and the steering's rules for it; `grasp.carried_by` derives both from the state.
 
     Attributes:
         payload: payload in the grasp, as the steering uses it; None if the grasp is empty.
         rules: the steering's rules by panel position, rate setting and steering law.
     """
 
-    def __init__(self, payload: Payload | None, rules: dict[Key, Array]) -> None:
+    def __init__(self, payload: HeldPayload | None, rules: dict[Key, Array]) -> None:
         self.payload = payload
         self.rules = rules
 
 
-def steering_setup(scenario: Scenario, payload: Payload | None, limits: RateLimits | None = None) -> SteeringSetup:
+def steering_setup(scenario: Scenario, payload: HeldPayload | None, limits: RateLimits | None = None) -> SteeringSetup:
     """Return the steering's setup.
 
     Args:

@@ -8,7 +8,7 @@ import numpy as np
 
 from aftdeck.arrays import Array
 from aftdeck.state_part import StatePart, copied
-from aftdeck.worksite import model
+from aftdeck.worksite import payload
 from aftdeck.worksite.free_flight import LimitCycle, coast, limit_cycle
 
 
@@ -47,7 +47,7 @@ class Floating(StatePart):
 
 
 def floating(
-    pose: Array, velocity: Array, rates: Array, control: model.LimitCycle | None, angles: Array | None = None
+    pose: Array, velocity: Array, rates: Array, control: payload.LimitCycle | None, angles: Array | None = None
 ) -> Floating:
     """Return a free flight at its beginning. Attitude control, if there is any, keeps the attitude of `pose`.
 

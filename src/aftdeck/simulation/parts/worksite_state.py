@@ -15,8 +15,9 @@ from aftdeck.simulation.constants.site import Site
 from aftdeck.simulation.frame import WayOut
 from aftdeck.simulation.parts.free_flight import Floating
 from aftdeck.state_part import StatePart
+from aftdeck.worksite.berths.latches import Latches
+from aftdeck.worksite.capture.effector import Controls
 from aftdeck.worksite.capture.snare import Snare
-from aftdeck.worksite.seats.latches import Latches
 from aftdeck.worksite.watch.clearance_monitor import ClearanceMonitor
 from aftdeck.worksite.watch.contacts import Contacts
 
@@ -49,12 +50,12 @@ class PayloadState(StatePart):
     """
     drawn_at_capture: float = 0.0
     """Value of `Snare.drawn` at the time when `fixture_at_capture` was set [1]."""
-    seat: str = ""
+    berth: str = ""
     """Name of the berth that fixes the payload; "" if no berth does."""
     latches: Latches = Latches()
     offset_at_fixing: list[float] = msgspec.field(default_factory=list)
     """Pose of the payload relative to its final pose in the berth, at the time when the berth fixed the payload."""
-    offset_in_seat: list[float] = msgspec.field(default_factory=list)
+    offset_in_berth: list[float] = msgspec.field(default_factory=list)
     """Present pose of the payload relative to its final pose in the berth, while the latches draw the payload in."""
     released_from: str = ""
     """Berth that has just released the payload; "" once the payload has left this berth.
@@ -77,7 +78,7 @@ class WorksiteState(StatePart):
             has 0 while it touches in a relative position, or at a depth, that the task does not permit.
         contacts: contacts, and the inhibits that they cause.
         logged_contacts: pairs whose contact is logged.
-        cargo: the payloads.
+        payloads: the payloads.
         floating: free flight of each payload; None while the end effector or a berth holds the payload.
         held: index of the payload in the grasp; None if no payload of the worksite is held.
         arm_fixed: True if the held payload is fixed to a berth, so that the arm cannot move.
@@ -107,7 +108,7 @@ class WorksiteState(StatePart):
     monitored_before: Mask
     permitted: Mask
     contacts: Contacts
-    cargo: list[PayloadState]
+    payloads: list[PayloadState]
     floating: list[Floating | None]
     carrier: Indices
     poses_in_carrier: Array
@@ -131,9 +132,14 @@ class WorksiteState(StatePart):
     halt: Halt = ""
 
     @property
+    def in_grasp(self) -> tuple[int, list[float] | None] | None:
+        """The held payload and its pose as the steering uses it; None if the grasp is empty."""
+        return None if self.held is None else (self.held, self.payloads[self.held].steered)
+
+    @property
     def _addressed(self) -> list[PayloadState]:
         """Payloads to which latching and unlatching refer: the held payload, or all payloads if none is held."""
-        return [payload for payload in self.cargo if payload.held] or self.cargo
+        return [payload for payload in self.payloads if payload.held] or self.payloads
 
     def has_occurred(self, what: PayloadEvent) -> bool:
         """Return whether an event for which a phase of a script can wait has occurred."""
@@ -143,9 +149,9 @@ class WorksiteState(StatePart):
             case "released":
                 return self.held is None and self.snare.motion != "release"
             case "latched":
-                return any(payload.seat and not payload.latches.motion for payload in self._addressed)
+                return any(payload.berth and not payload.latches.motion for payload in self._addressed)
             case "unlatched":
-                return not any(payload.seat for payload in self._addressed)
+                return not any(payload.berth for payload in self._addressed)
 
     def update_attachments(self, site: Site) -> None:
         """Update all values that depend on which payloads are held or fixed.
@@ -153,13 +159,13 @@ class WorksiteState(StatePart):
         These are the held payload, the carriers of the payloads, the monitored pairs, and the pairs that can inhibit
         the arm.
         """
-        self.held = next((k for k, payload in enumerate(self.cargo) if payload.held), None)
-        self.arm_fixed = self.held is not None and self.cargo[self.held].seat != ""
-        for k in range(len(self.cargo)):
+        self.held = next((k for k, payload in enumerate(self.payloads) if payload.held), None)
+        self.arm_fixed = self.held is not None and self.payloads[self.held].berth != ""
+        for k in range(len(self.payloads)):
             self.update_carrier(site, k)
         self.contacts.arm[:] = site.by_arm
         if self.held is not None:
-            self.contacts.arm |= site.of_cargo[self.held]
+            self.contacts.arm |= site.of_payload[self.held]
         self.select_monitored(site)
         # a pair that is no longer monitored has not separated, so remove its contact without a log line "clear of"
         self.logged_contacts = tuple(group for group in self.logged_contacts if self.watch.active[group])
@@ -172,11 +178,11 @@ class WorksiteState(StatePart):
         """
         active = self.watch.active
         active[:] = 1
-        for k, payload in enumerate(self.cargo):
+        for k, payload in enumerate(self.payloads):
             if payload.held:
                 active &= site.not_held[k]
-            if payload.seat:
-                active &= 1 - site.seated[k, payload.seat]
+            if payload.berth:
+                active &= 1 - site.seated[k, payload.berth]
 
     def update_carrier(self, site: Site, k: int) -> None:
         """Set the carrier of payload k, and the payload's pose in the carrier.
@@ -184,14 +190,18 @@ class WorksiteState(StatePart):
         The carrier is the berth's frame if a berth fixes the payload, else the last joint's frame if the payload is
         held. A floating payload has no carrier.
         """
-        payload = self.cargo[k]
-        if (berth := site.berth(k, payload.seat)) is not None:
-            self.carrier[k] = berth.row
-            compose(berth.place, np.array(payload.offset_in_seat), self.poses_in_carrier[k])
+        payload = self.payloads[k]
+        if (fit := site.fit(k, payload.berth)) is not None:
+            self.carrier[k] = fit.row
+            compose(fit.place, np.array(payload.offset_in_berth), self.poses_in_carrier[k])
         elif payload.grasp is not None:
             self.carrier[k], self.poses_in_carrier[k] = site.last_joint, payload.grasp
         elif (flight := self.floating[k]) is not None:
             self.carrier[k], self.poses_in_carrier[k] = -1, flight.pose
+
+    def controls(self, *, pressed: bool = False) -> Controls:
+        """Return controls and state of the end effector; `pressed`: whether its switch was pressed in this step."""
+        return Controls(self.switch, pressed, self.effector_mode, self.rigid, self.prong.position, self.snare)
 
     def places(self, site: Site) -> tuple[Array, Array, Array, Array, Indices, Array]:
         """Return the arguments of `place_everything` that precede angles, stand and prong."""
@@ -200,17 +210,17 @@ class WorksiteState(StatePart):
 
 def new_worksite_state(site: Site, prong: Travel) -> WorksiteState:
     """Return a worksite state with an open prong; `simulation.begin` then sets the start positions."""
-    groups, cargo = len(site.layout.groups), len(site.cargo)
+    groups, payloads = len(site.layout.groups), len(site.payloads)
     return WorksiteState(
         frames=np.zeros((len(site.layout.frames), POSE)),
         before=np.zeros((len(site.layout.frames), POSE)),
         monitored_before=np.ones(groups, np.uint8),
         permitted=site.essential.copy(),
         contacts=Contacts(site.essential.copy(), site.by_arm.copy(), np.zeros(groups, np.uint8)),
-        cargo=[PayloadState() for _ in range(cargo)],
-        floating=[None] * cargo,
-        carrier=np.full(cargo, -1),
-        poses_in_carrier=np.zeros((cargo, POSE)),
+        payloads=[PayloadState() for _ in range(payloads)],
+        floating=[None] * payloads,
+        carrier=np.full(payloads, -1),
+        poses_in_carrier=np.zeros((payloads, POSE)),
         orbiter=np.zeros(3),
         orbiter_velocity=np.zeros(3),
         prong=Slide(prong.low),

@@ -20,25 +20,16 @@ import numpy as np
 from aftdeck.arrays import Array, Indices, Mask
 from aftdeck.bodies.pair import CONTACT
 from aftdeck.bodies.pose import HERE
-from aftdeck.frames import oriend_rows
 from aftdeck.law import law
-from aftdeck.matrices import length, product
-from aftdeck.simulation.constants.berths import Berth
-from aftdeck.simulation.constants.hand import Snares
-from aftdeck.simulation.constants.site import Meeting, Site
+from aftdeck.matrices import product
+from aftdeck.simulation.constants.site import Site
 from aftdeck.simulation.parts.worksite_state import WorksiteState
-from aftdeck.simulation.payloads.grasp import NEAR, fixture_in_hand
-from aftdeck.worksite.capture.acquisition import enclosed_bar
-from aftdeck.worksite.model import Relation
-from aftdeck.worksite.seats.berthing import over
+from aftdeck.simulation.payloads.grasp import NEAR
+from aftdeck.worksite.relation import Meeting, Relation
 from aftdeck.worksite.watch.clearance_monitor import ClearanceMonitor
 from aftdeck.worksite.watch.contact_update import nearest_place
 from aftdeck.worksite.watch.contacts import FRAMES, Contacts
 from aftdeck.worksite.watch.found import CLEARANCE
-
-WIDER, WIDEST = 2.0, 2.4
-"""Factors on the capture envelope's radius and angles [1] (assumed). Alignment begins inside the envelope widened by
-the first factor, and ends outside the envelope widened by the second."""
 
 ASIDE = 0.3
 """Greatest distance of a payload from the line on which it enters a berth, up to which it is about to enter [m]
@@ -107,11 +98,8 @@ def alarm_pairs(
         if undecided:
             _decide(site, frames, nearest, counts)
     k = None
-    if held is None and site.bar is not None:
-        enclosed = enclosed_bar(watch.placed, site.bar.bars, site.bar.packed, NEAR)
-        k = None if enclosed < 0 else enclosed
-    elif held is None and site.snares is not None:
-        k = _before_snares(site, site.snares, frames, before)
+    if held is None and site.capture is not None:
+        k = site.capture.aligned_with(frames, watch.placed, NEAR, before)
     if k is None or (contacts.inhibit.arm and _inhibited(contacts, site.held[k])):
         return counts, k
     return counts & site.not_held[k], k
@@ -123,14 +111,14 @@ def _except_berth(site: Site, k: int, watch: ClearanceMonitor, frames: Array, ne
     Pairs of the task and pairs in contact keep their marks. So do pairs that are nearer to each other than on the
     straight way into the berth, by more than the berth's tolerance or by half.
     """
-    row = site.cargo_row(k)
+    row = site.payload_row(k)
     number = nearest_place(frames, row, site.berth_rows[k], site.berth_places[k], NEAR)
     if number < 0:
         return
-    berth = site.berths[k][number]
-    pairs = site.seated[k, berth.seat.name]
+    fit = site.fits[k][number]
+    pairs = site.seated[k, fit.berth.name]
     factor = INNER if nearest >= 0 and pairs[nearest] else 1.0
-    along, aside, tilt = berth.on_way(frames, row)
+    along, aside, tilt = fit.on_way(frames, row)
     if aside > factor * ASIDE or tilt > factor * TILTED:
         return
     before = min(max(0, int(along / STEP)), int(NEAR / STEP))
@@ -143,7 +131,7 @@ def least_on_way(site: Site, k: int, number: int) -> Array:
 
     Row i is for a payload between `i * STEP` and the next step before its final position.
     """
-    on_way, tolerance = clearances_on_way(site, k, number), site.berths[k][number].seat.distance
+    on_way, tolerance = clearances_on_way(site, k, number), site.fits[k][number].berth.distance
     nearest = np.minimum(on_way[:-1], on_way[1:])
     return np.asarray(np.maximum(np.maximum(nearest - tolerance, 0.5 * nearest), CONTACT))
 
@@ -154,15 +142,15 @@ def clearances_on_way(site: Site, k: int, number: int) -> Array:
     Row i is for a payload with its attitude in the berth, `i * STEP` before its final position. Pairs of other parts
     have the clearance inf.
     """
-    berth = site.berths[k][number]
-    frames, row = np.tile(HERE, (len(site.layout.frames), 1)), site.cargo_row(k)
-    frames[row] = berth.place
-    step = STEP * product(berth.place[3:].reshape(3, 3), berth.way_out)
+    fit = site.fits[k][number]
+    frames, row = np.tile(HERE, (len(site.layout.frames), 1)), site.payload_row(k)
+    frames[row] = fit.place
+    step = STEP * product(fit.place[3:].reshape(3, 3), fit.way_out)
     watch = ClearanceMonitor(site.layout)
-    watch.active = site.seated[k, berth.seat.name].copy()
+    watch.active = site.seated[k, fit.berth.name].copy()
     found = np.empty((math.ceil(NEAR / STEP) + 2, len(watch.active)))
     for i in range(len(found)):
-        frames[row, :3] = berth.place[:3] + i * step
+        frames[row, :3] = fit.place[:3] + i * step
         watch.update(frames, frames, 1.0)
         found[i] = watch.found[:, CLEARANCE]
     return found
@@ -224,9 +212,9 @@ def _decide(site: Site, frames: Array, nearest: int, counts: Mask) -> None:
     for meeting in site.meetings:
         if counts[meeting.group] != UNDECIDED:
             continue
-        key = meeting.cargo, meeting.relation
+        key = meeting.payload, meeting.relation
         if key not in known:
-            reported = any(other.group == nearest for other in site.meetings if (other.cargo, other.relation) == key)
+            reported = any(other.group == nearest for other in site.meetings if (other.payload, other.relation) == key)
             known[key] = _is_aligned(site, frames, meeting, reported=reported)
         counts[meeting.group] = not known[key]
 
@@ -241,42 +229,9 @@ def _is_aligned(site: Site, frames: Array, meeting: Meeting, *, reported: bool) 
 
     `reported` is True if the pair with the last minimum clearance has the payload and the relation of `meeting`. If so,
     the parts count as aligned only if they are inside the tolerances by at least the permitted depth. This margin keeps
-    the lamp from flickering. Only the relations docking and guides are tested here; the end effector is tested in
-    `alarm_pairs`.
+    the lamp from flickering. Only relations of berths are tested here; the end effector is tested in `alarm_pairs`.
     """
-    k, depth = meeting.cargo, meeting.depth
+    k, depth = meeting.payload, meeting.depth
     inside = depth if reported else 0.0
-    match meeting.relation:
-        case "docking":
-            ports = (berth for berth in site.berths[k] if berth.port is not None)
-            return any(berth.is_straight_ahead(frames, site.cargo_row(k), depth, NEAR, inside) for berth in ports)
-        case "guides":
-            guided = (berth for berth in site.berths[k] if berth.guides is not None)
-            return any(_over_guides(site, frames, k, berth, depth, inside) for berth in guided)
-        case "acquisition" | "capture":
-            raise AssertionError(f"alignment does not apply to the relation {meeting.relation!r}")
-
-
-def _over_guides(site: Site, frames: Array, k: int, berth: Berth, depth: float, inside: float) -> bool:
-    """Return whether every trunnion is above or inside the mouth of its own V-guide."""
-    assert berth.guides is not None
-    guides = berth.guides
-    found = berth.trunnion_offsets(frames, site.cargo_row(k), site.cargo[k].trunnions)
-    least, most, room = over(found, guides.opening, guides.throat, guides.height, guides.play)
-    return least >= -depth and most <= NEAR and room >= inside
-
-
-def _before_snares(site: Site, snares: Snares, frames: Array, before: int | None) -> int | None:
-    """Return the payload whose pin is aligned with the end effector in position and attitude; None if there is none."""
-    envelope = snares.envelope
-    for k in range(len(snares.fixtures)):
-        if (fixture := fixture_in_hand(site, frames, k)) is None:
-            continue
-        (out, y, z), rows = fixture
-        wide = WIDEST if k == before else WIDER
-        if length((y, z)) > wide * envelope.radial or abs(out) > NEAR:
-            continue
-        roll, pitch, yaw = (abs(angle) for angle in oriend_rows(rows))
-        if roll <= wide * envelope.roll and pitch <= wide * envelope.pitch and yaw <= wide * envelope.yaw:
-            return k
-    return None
+    fits = (fit for fit in site.fits[k] if fit.relation == meeting.relation)
+    return any(fit.is_aligned(frames, site.payload_row(k), depth, NEAR, inside) for fit in fits)

@@ -1,64 +1,60 @@
-"""Capture and release of a payload, by the prong about a bar (the report's mode 1) or by the snares about a pin."""
+"""Capture and release of a payload by the end effector (the report's mode 1)."""
 
 from __future__ import annotations
 
-import math
-from typing import Literal
-
 import numpy as np
 
-from aftdeck.arrays import Array
-from aftdeck.bodies.pose import POSE, compose, inverse
+from aftdeck.bodies.pose import POSE, compose
+from aftdeck.plant.state import PlantState
 from aftdeck.simulation.constants.flight import Flight
-from aftdeck.simulation.constants.hand import Bar, Snares
 from aftdeck.simulation.constants.site import Site
 from aftdeck.simulation.inputs import Inputs
 from aftdeck.simulation.log import Log
 from aftdeck.simulation.parts.worksite_state import WorksiteState
-from aftdeck.simulation.payloads.grasp import attach, empty_grasp, nearest_fixture, update_steering
+from aftdeck.simulation.payloads.fixing import stay_or_leave
+from aftdeck.simulation.payloads.grasp import attach, empty_grasp
 from aftdeck.simulation.payloads.mechanism import is_blocked
-from aftdeck.simulation.payloads.seating import stay_or_leave
-from aftdeck.simulation.state import State
-from aftdeck.worksite.capture.acquisition import acquired_bar
-from aftdeck.worksite.capture.grapple import in_envelope
-from aftdeck.worksite.capture.snare import Snare, SnareCommand, advance
-from aftdeck.worksite.conditions import Condition
-from aftdeck.worksite.seats.draw_in import remaining
-
-_TRIGGERS: dict[str, Literal["", "capture", "release"]] = {"close": "capture", "open": "release", "stop": ""}
-_CONTR: dict[str, Literal["RIGID", "OFF", "DERIGID"]] = {"rigid": "RIGID", "off": "OFF", "derigid": "DERIGID"}
+from aftdeck.simulation.state import Panel
+from aftdeck.worksite.capture.effector import EndEffector
+from aftdeck.worksite.capture.snare import Snare
 
 
-def capture(flight: Flight, state: State, log: Log, inputs: Inputs) -> None:
+def capture(
+    flight: Flight,
+    worksite: WorksiteState,
+    plant: PlantState,
+    panel: Panel,
+    log: Log,
+    inputs: Inputs,
+    *,
+    attached: bool,
+) -> None:
     """Capture or release a payload if the conditions are met.
 
     Args:
         flight: constants of the run.
-        state: state at the end of the step, with all frames updated.
+        worksite: state of the worksite at the end of the step, with all frames updated.
+        plant: state of the plant.
+        panel: state of the panel.
         log: log of the step.
         inputs: inputs of this step; the snares are triggered if `inputs.effector` is not None.
+        attached: whether the scenario attaches a payload, so that the end effector cannot move.
     """
-    site, worksite = flight.site, state.worksite
-    k, drawn = None, worksite.snare.drawn
-    if state.script.attached:
+    site, k = flight.site, None
+    if attached:
         _reject_switches(log, inputs)
-    elif site.bar is not None:
-        k = _move_fingers(worksite, site.bar)
-    elif site.snares is not None:
-        k = _move_snares(flight, worksite, log, site.snares, pressed=inputs.effector is not None)
+    elif site.capture is not None:
+        k = _move(flight, worksite, log, site.capture, pressed=inputs.effector is not None)
     if k is None:
-        if worksite.snare.drawn == 1.0 != drawn:
-            update_steering(flight, state)
         return
     if worksite.held is None:
         _attach(site, worksite, log, k)
     else:
-        empty_grasp(site, worksite, state.panel, log, k)
-        stay_or_leave(flight, worksite, state.plant, log, k)
-        seat = worksite.cargo[k].seat
-        where = f"it stays in the {site.seat(seat).title}" if seat else "it is free"
-        log.add("released", "info", f"{site.cargo[k].title} released: {where}")
-    update_steering(flight, state)
+        empty_grasp(site, worksite, panel, log, k)
+        stay_or_leave(flight, worksite, plant, log, k)
+        seat = worksite.payloads[k].berth
+        where = f"it stays in the {site.berth(seat).title}" if seat else "it is free"
+        log.add("released", "info", f"{site.payloads[k].title} released: {where}")
 
 
 def _reject_switches(log: Log, inputs: Inputs) -> None:
@@ -71,58 +67,30 @@ def _reject_switches(log: Log, inputs: Inputs) -> None:
             )
 
 
-def _move_fingers(worksite: WorksiteState, bar: Bar) -> int | None:
-    """Return the payload that the fingers now capture or release; None if there is none.
-
-    They capture a payload if the six conditions of acquisition hold, and release it if they are too far apart.
-    """
-    if worksite.held is not None:
-        apart = bar.fixed_finger - worksite.prong.position > bar.tolerances.spacing
-        return worksite.held if apart else None
-    k = acquired_bar(worksite.watch.placed, bar.bars, bar.packed)
-    return k if k >= 0 else None
-
-
-def _move_snares(flight: Flight, worksite: WorksiteState, log: Log, snares: Snares, *, pressed: bool) -> int | None:
-    """Move the snares and the carriage by one step of CAPTURE, RELEASE or MAN CONTR.
+def _move(flight: Flight, worksite: WorksiteState, log: Log, device: EndEffector, *, pressed: bool) -> int | None:
+    """Move the end effector by one step, unless it would draw a held payload into a contact.
 
     Returns:
-        The payload that they now capture or release; None if there is none.
+        The payload that it now captures or releases; None if there is none.
     """
-    site, scenario = flight.site, flight.scenario
-    held = k = worksite.held
-    if not pressed and not worksite.snare.motion and worksite.rigid == "off":
-        return None
-    conditions: tuple[Condition, ...] = ()
-    if held is None and (near := nearest_fixture(site, worksite.frames, math.inf)) is not None:
-        k, fixture = near
-        conditions = in_envelope(fixture, snares.envelope)
-    command = snare_command(worksite, pressed=pressed)
-    snare, lines = advance(
-        worksite.snare, snares.times, command, scenario.control_period, conditions, scenario.arm.model.units
-    )
+    scenario, held = flight.scenario, worksite.held
+    k, snare, lines = device.step(
+        worksite.controls(pressed=pressed), held, worksite.frames, worksite.watch.placed, scenario.control_period,
+        scenario.arm.model.units,
+    )  # fmt: skip
     blocked = False
     if held is not None and snare.drawn != worksite.snare.drawn:
-        blocked = not _draw_in(flight, worksite, log, held, snare, snares.fixture(held))
+        blocked = not _draw_in(flight, worksite, log, held, snare, device)
     for line in lines:
         if line.kind == "refused" or not blocked:
             log.add(line.kind, line.level, line.text)
     if blocked:
         return None
     worksite.snare = snare
-    return k if snare.captured == (held is None) else None
+    return k
 
 
-def snare_command(worksite: WorksiteState, *, pressed: bool) -> SnareCommand:
-    """Return the positions of the panel's switches for the snares; `pressed`: whether the switch was pressed now."""
-    return SnareCommand(
-        "AUTO" if worksite.effector_mode == "auto" else "MAN",
-        _TRIGGERS[worksite.switch] if pressed else "",
-        _CONTR[worksite.rigid],
-    )
-
-
-def _draw_in(flight: Flight, worksite: WorksiteState, log: Log, k: int, snare: Snare, fixture: Array) -> bool:
+def _draw_in(flight: Flight, worksite: WorksiteState, log: Log, k: int, snare: Snare, device: EndEffector) -> bool:
     """Draw the grapple pin of the held payload k towards its final pose.
 
     The payload moves in the next step. A payload that is fixed to a berth does not move (assumed; a real arm would
@@ -135,18 +103,16 @@ def _draw_in(flight: Flight, worksite: WorksiteState, log: Log, k: int, snare: S
         log: log of the step.
         k: the payload.
         snare: end effector after this step.
-        fixture: (12,) pose of the grapple fixture in the payload's axes.
+        device: constants of the end effector.
 
     Returns:
         False if this motion would make or deepen a contact.
     """
-    site, payload = flight.site, worksite.cargo[k]
-    if payload.seat or payload.fixture_at_capture is None:
+    site, payload = flight.site, worksite.payloads[k]
+    if payload.berth or payload.fixture_at_capture is None:
         return True
-    left, pin, grasp, drawn = np.empty(POSE), np.empty(POSE), np.empty(POSE), np.empty(POSE)
-    remaining(np.array(payload.fixture_at_capture), 1.0 - (snare.drawn - payload.drawn_at_capture), left)
-    compose(site.effector, left, pin)
-    compose(pin, inverse(fixture), grasp)
+    drawn, left = np.empty(POSE), 1.0 - (snare.drawn - payload.drawn_at_capture)
+    grasp = device.drawn_grasp(k, np.array(payload.fixture_at_capture), left)
     compose(worksite.frames[site.last_joint], grasp, drawn)
     if is_blocked(flight, worksite, log, k, drawn, "carriage"):
         return False
@@ -160,11 +126,11 @@ def _draw_in(flight: Flight, worksite: WorksiteState, log: Log, k: int, snare: S
 def _attach(site: Site, worksite: WorksiteState, log: Log, k: int) -> None:
     """Attach a captured payload to the arm. The capture ends task phase 1.
 
-    A passive berth frees the payload; any other berth still fixes the payload.
+    A berth that closes at release frees the payload; any other berth still fixes the payload.
     """
-    payload = worksite.cargo[k]
-    if payload.seat and site.is_passive_berth(payload.seat):
-        payload.seat, payload.released_from = "", payload.seat
+    payload = worksite.payloads[k]
+    if payload.berth and site.berth(payload.berth).closes == "at release":
+        payload.berth, payload.released_from = "", payload.berth
     attach(site, worksite, k)
-    fixed = f", fixed in the {site.seat(payload.seat).title}" if payload.seat else ""
-    log.add("acquired", "info", f"{site.cargo[k].title} acquired{fixed}")
+    fixed = f", fixed in the {site.berth(payload.berth).title}" if payload.berth else ""
+    log.add("acquired", "info", f"{site.payloads[k].title} acquired{fixed}")

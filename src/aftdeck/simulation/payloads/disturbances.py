@@ -10,19 +10,20 @@ from aftdeck.arrays import Array
 from aftdeck.bodies.pose import pose_of
 from aftdeck.errors import InputError
 from aftdeck.frames import Pose
-from aftdeck.kinematics.payload import Payload
+from aftdeck.kinematics.payload import HeldPayload
 from aftdeck.matrices import length, product
 from aftdeck.plant.plant import Push, Pushed
 from aftdeck.scenario.disturbance import ORBITER, SPACE, TIP, Disturbance
+from aftdeck.scenario.model import Scenario
 from aftdeck.scenario.payload import PART
 from aftdeck.simulation.constants.flight import Flight
 from aftdeck.simulation.constants.site import Site
 from aftdeck.simulation.frame import Wrench
 from aftdeck.simulation.inputs import Inputs
 from aftdeck.simulation.log import Log
-from aftdeck.simulation.state import State
+from aftdeck.simulation.state import Script, State
 from aftdeck.tuples import plain_vector
-from aftdeck.worksite.model import Cargo
+from aftdeck.worksite.payload import Payload
 
 
 def check_disturbances(flight: Flight, state: State, given: Iterable[Disturbance]) -> None:
@@ -32,10 +33,11 @@ def check_disturbances(flight: Flight, state: State, given: Iterable[Disturbance
         InputError: the plant has no forces, a body or a coordinate frame does not exist or cannot move now, or a number
             is not plausible.
     """
+    attached = _attached(flight.scenario, state.script)
     for one in given:
         if wrong := flight.scenario.disturbable.problem(one):
             raise InputError(f"disturbances: {wrong[0]}: {wrong[1]}")
-        if _wrench(flight, state, one, 1.0) is None:
+        if _wrench(flight, state.worksite.frames, state.plant.base, attached, one, 1.0) is None:
             raise InputError(f"disturbances: on {one.on!r}, in the axes of {one.frame!r}: no payload is attached now")
 
 
@@ -57,20 +59,25 @@ def disturb(flight: Flight, state: State, log: Log, inputs: Inputs) -> None:
 
 
 def _acting(flight: Flight, state: State, inputs: Inputs) -> Iterator[Wrench]:
-    period = flight.scenario.control_period
-    time = (state.tick - 1) * period
+    frames, base, period = state.worksite.frames, state.plant.base, flight.scenario.control_period
+    attached, time = _attached(flight.scenario, state.script), (state.tick - 1) * period
     given = [(one, 1.0) for one in inputs.disturbances]
     given += [(one.disturbance, one.share(time, period)) for one in flight.scenario.disturbances]
     for disturbance, share in given:
-        if share > 0.0 and (wrench := _wrench(flight, state, disturbance, share)) is not None:
+        if share > 0.0 and (wrench := _wrench(flight, frames, base, attached, disturbance, share)) is not None:
             yield wrench
 
 
-def _wrench(flight: Flight, state: State, given: Disturbance, share: float) -> Wrench | None:
+def _attached(scenario: Scenario, script: Script) -> HeldPayload | None:
+    """Return the scenario's own payload that is attached now; None if none is."""
+    return scenario.own_payloads[script.attached - 1] if script.attached else None
+
+
+def _wrench(
+    flight: Flight, frames: Array, base: Array, attached: HeldPayload | None, given: Disturbance, share: float
+) -> Wrench | None:
     """Return a disturbance in L; None if it needs the scenario's own payload, and none is attached."""
-    number, frames = state.script.attached, state.worksite.frames
-    attached = flight.scenario.own_payloads[number - 1] if number else None
-    axes = _axes(flight, frames, state.plant.base, attached, given.frame)
+    axes = _axes(flight, frames, base, attached, given.frame)
     place = _place(flight, frames, attached, given)
     if axes is None or place is None:
         return None
@@ -82,24 +89,24 @@ def _wrench(flight: Flight, state: State, given: Disturbance, share: float) -> W
     )
 
 
-def pushes(cargo: tuple[Cargo, ...], disturbances: tuple[Wrench, ...], base_row: Array) -> Iterator[Push]:
+def pushes(payloads: tuple[Payload, ...], disturbances: tuple[Wrench, ...], base_row: Array) -> Iterator[Push]:
     """Yield what disturbances do to the plant's bodies, in the axes of space.
 
     Args:
-        cargo: the payloads.
+        payloads: the payloads.
         disturbances: the disturbances of this step, in L.
         base_row: (12,) pose of L in the frame that is fixed in space and coincided with L at the start.
     """
     base = pose_of(base_row)
     bodies: dict[str, Pushed] = {TIP: "hand", PART: "attached", ORBITER: "orbiter"}
-    bodies |= {one.name: k for k, one in enumerate(cargo)}
+    bodies |= {one.name: k for k, one in enumerate(payloads)}
     for one in disturbances:
         on = bodies[one.body]
         force, torque = (product(base.rotation, np.array(vector)) for vector in (one.force, one.torque))
         yield Push(on, force, torque, base.position + product(base.rotation, np.array(one.position)))
 
 
-def _axes(flight: Flight, frames: Array, base: Array, attached: Payload | None, name: str) -> Array | None:
+def _axes(flight: Flight, frames: Array, base: Array, attached: HeldPayload | None, name: str) -> Array | None:
     """Return the axes (3, 3) of a coordinate frame in L, as columns."""
     match name:
         case "L":
@@ -113,7 +120,7 @@ def _axes(flight: Flight, frames: Array, base: Array, attached: Payload | None, 
             return None if found is None else found[0].rotation
 
 
-def _place(flight: Flight, frames: Array, attached: Payload | None, given: Disturbance) -> Array | None:
+def _place(flight: Flight, frames: Array, attached: HeldPayload | None, given: Disturbance) -> Array | None:
     """Return the point (3,) in L at which a disturbance's force acts [m]."""
     if given.on == ORBITER:
         mount = flight.scenario.arm.model.mount
@@ -128,14 +135,14 @@ def _place(flight: Flight, frames: Array, attached: Payload | None, given: Distu
     return pose.position + product(pose.rotation, centre if given.at is None else np.array(given.at))
 
 
-def _frame(site: Site, frames: Array, attached: Payload | None, name: str) -> tuple[Pose, Array] | None:
+def _frame(site: Site, frames: Array, attached: HeldPayload | None, name: str) -> tuple[Pose, Array] | None:
     """Return the true pose in L of the tip or a payload, and in its axes the point (3,) at which forces act [m].
 
     None for the scenario's own payload if it is not `attached`. `frames` are (F, 12) poses of all frames in L.
     """
-    for k, cargo in enumerate(site.cargo):
-        if name == cargo.name:
-            return pose_of(frames[site.cargo_row(k)]), cargo.centre_of_mass
+    for k, payload in enumerate(site.payloads):
+        if name == payload.name:
+            return pose_of(frames[site.payload_row(k)]), payload.centre_of_mass
     last, hand = pose_of(frames[site.last_joint]), pose_of(site.hand)
     tip = Pose(last.position + product(last.rotation, hand.position), product(last.rotation, hand.rotation))
     if name == TIP:

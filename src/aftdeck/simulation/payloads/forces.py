@@ -19,8 +19,8 @@ sooner (assumed)."""
 
 def held_by(site: Site, payload: PayloadState) -> tuple[bool, bool, bool]:
     """Return whether the end effector, the orbiter and space hold a payload."""
-    in_space = bool(payload.seat) and site.in_space(payload.seat)
-    return payload.held, bool(payload.seat) and not in_space, in_space
+    in_space = bool(payload.berth) and site.in_space(payload.berth)
+    return payload.held, bool(payload.berth) and not in_space, in_space
 
 
 def watch_forces(site: Site, worksite: WorksiteState, bodies: Bodies, log: Log, period: float) -> None:
@@ -29,7 +29,7 @@ def watch_forces(site: Site, worksite: WorksiteState, bodies: Bodies, log: Log, 
     The force of a hold is logged once, when the hold has lasted for `REPORTED_AFTER` and no latch moves.
     `period` is the control period [s].
     """
-    for k, payload in enumerate(worksite.cargo):
+    for k, payload in enumerate(worksite.payloads):
         for holder, holds in enumerate(held_by(site, payload)):
             force = float(bodies.held_greatest[k, holder])
             if not (holds or force > 0.0):
@@ -42,7 +42,7 @@ def watch_forces(site: Site, worksite: WorksiteState, bodies: Bodies, log: Log, 
             bodies.held_for[k, holder] = before + period
             if before < REPORTED_AFTER <= before + period:
                 by, peak = _holder(site, payload, holder), float(bodies.held_peaks[k, holder])
-                log.add("force", "info", f"{by} holds {site.cargo[k].title}: greatest force {peak:.0f} N")
+                log.add("force", "info", f"{by} holds {site.payloads[k].title}: greatest force {peak:.0f} N")
     if bodies.touches or bodies.contacts:
         _count_contacts(bodies, worksite.logged_contacts, period)
 
@@ -65,4 +65,4 @@ def _count_contacts(bodies: Bodies, logged: tuple[int, ...], period: float) -> N
 
 def _holder(site: Site, payload: PayloadState, holder: int) -> str:
     """Return the name of what holds a payload; `holder`: its index in the result of `held_by`."""
-    return "end effector" if holder == 0 else site.seat(payload.seat).title
+    return "end effector" if holder == 0 else site.berth(payload.berth).title

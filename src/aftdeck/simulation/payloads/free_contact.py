@@ -17,9 +17,9 @@ from aftdeck.plant.state import PlantState
 from aftdeck.simulation.constants.flight import Flight
 from aftdeck.simulation.constants.site import Site
 from aftdeck.simulation.frame_poses import frames_with_prong_at
+from aftdeck.simulation.log import Log
 from aftdeck.simulation.parts.free_flight import Floating
 from aftdeck.simulation.parts.worksite_state import WorksiteState
-from aftdeck.simulation.state import State
 from aftdeck.worksite.conditions import quantity_text
 from aftdeck.worksite.file.check import ARM
 from aftdeck.worksite.watch.clearance_monitor import ClearanceMonitor
@@ -34,29 +34,33 @@ The body stops before the contact, at a distance of at most 1/256 of the step's 
 """
 
 
-def drifted(flight: Flight, state: State, k: int, floating: Floating) -> Floating:
+def drifted(
+    flight: Flight, worksite: WorksiteState, plant: PlantState, log: Log, k: int, floating: Floating
+) -> Floating:
     """Return the free flight of a payload one control period later, stopped or reflected if the payload touches a part.
 
     If no part is near, `floating` itself is moved and returned.
 
     Args:
         flight: constants of the run.
-        state: state in which everything else has already moved in this step.
+        worksite: state of the worksite, in which everything else has already moved in this step.
+        plant: state of the plant after its motion.
+        log: log of the step.
         k: the payload.
         floating: the payload's free flight before this step.
     """
-    site, worksite, period = flight.site, state.worksite, flight.scenario.control_period
-    if not measured(worksite.watch.found, site.of_cargo[k]):  # no part is near enough to touch in this step
+    site, period = flight.site, flight.scenario.control_period
+    if not measured(worksite.watch.found, site.of_payload[k]):  # no part is near enough to touch in this step
         floating.move(period)
         floating.met = False
         return floating
     after = floating.moved(period)
-    here = looked_at(worksite.watch, _frames(site, worksite, state.plant, k, floating))
-    group = worst_new_contact(here, site.of_cargo[k], _frames(site, worksite, state.plant, k, after))
+    here = looked_at(worksite.watch, _frames(site, worksite, plant, k, floating))
+    group = worst_new_contact(here, site.of_payload[k], _frames(site, worksite, plant, k, after))
     if group < 0:
         after.met = False
         return after
-    return _stopped(flight, state, k, floating, here, group)
+    return _stopped(flight, worksite, plant, log, k, floating, here, group)
 
 
 @law
@@ -74,24 +78,27 @@ def _frames(site: Site, worksite: WorksiteState, plant: PlantState, k: int, floa
     return frames_with_prong_at(site, worksite, plant, worksite.prong.position)
 
 
-def _stopped(flight: Flight, state: State, k: int, floating: Floating, here: ClearanceMonitor, group: int) -> Floating:
+def _stopped(
+    flight: Flight, worksite: WorksiteState, plant: PlantState, log: Log, k: int, floating: Floating,
+    here: ClearanceMonitor, group: int,
+) -> Floating:  # fmt: skip
     """Return the free flight of payload k after the contact of pair `group` has stopped or reflected it.
 
     A contact that did not exist in the last step is logged.
     """
-    site, worksite, plant, period = flight.site, state.worksite, state.plant, flight.scenario.control_period
+    site, period = flight.site, flight.scenario.control_period
     free, share = 0.0, 0.5
     for _ in range(0 if floating.met else HALVINGS):
         later = _frames(site, worksite, plant, k, floating.moved((free + share) * period))
-        clear = worst_new_contact(here, site.of_cargo[k], later) < 0
+        clear = worst_new_contact(here, site.of_payload[k], later) < 0
         free, share = free + share if clear else free, 0.5 * share
     stopped = floating.moved(free * period)
-    first = site.layout.frames[site.layout.between_frames[group, 0]] == site.cargo[k].name
+    first = site.layout.frames[site.layout.between_frames[group, 0]] == site.payloads[k].name
     row = here.found[group]
     normal = row[NORMAL : NORMAL + 3] if first else -row[NORMAL : NORMAL + 3]
     point = row[POINT_A : POINT_A + 3] if first else row[POINT_B : POINT_B + 3]
     frames = _frames(site, worksite, plant, k, floating)
-    lever = point - frames[site.cargo_row(k), :3]
+    lever = point - frames[site.payload_row(k), :3]
     other = int(site.layout.between_frames[group, 1 if first else 0])
     other_velocity = _velocity(site, worksite, site.layout.frames[other])
     surface = other_velocity + _of_arm(site, worksite, frames, other, point, period)
@@ -108,7 +115,7 @@ def _stopped(flight: Flight, state: State, k: int, floating: Floating, here: Cle
         speed = quantity_text(approach + sweep, "m", flight.scenario.arm.model.units) + "/s"
         done = "is reflected" if reflects else "stops"
         text = f"{own_part} touches {other_part} at {speed} and {done}; impulse unknown"
-        state.log(period).add("bump", "caution", text)
+        log.add("bump", "caution", text)
     stopped.met = True
     return stopped
 
@@ -118,12 +125,12 @@ def _velocity(site: Site, worksite: WorksiteState, frame: str) -> Array:
 
     Parts of the arm count as moving with the orbiter, because a body that the arm stops does not move with the arm.
     """
-    for k, payload in enumerate(site.cargo):
+    for k, payload in enumerate(site.payloads):
         if payload.name != frame:
             continue
         if (floating := worksite.floating[k]) is not None:
             return floating.motion[3:].copy()
-        if worksite.cargo[k].seat and site.in_space(worksite.cargo[k].seat):
+        if worksite.payloads[k].berth and site.in_space(worksite.payloads[k].berth):
             return np.zeros(3)
     return np.zeros(3) if frame == "space" else product(site.axes, worksite.orbiter_velocity)
 
@@ -140,7 +147,7 @@ def _of_arm(site: Site, worksite: WorksiteState, frames: Array, frame: int, poin
         period: control period [s].
     """
     name, held = site.layout.frames[frame], worksite.held
-    if not name.startswith(ARM) and (held is None or name != site.cargo[held].name):
+    if not name.startswith(ARM) and (held is None or name != site.payloads[held].name):
         return np.zeros(3)
     now = motion(worksite.frames[frame], frames[frame], period)
     turn = np.array([now.wx, now.wy, now.wz])

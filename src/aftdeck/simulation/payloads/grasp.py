@@ -5,25 +5,24 @@ This module begins a grasp at capture and ends it at release. After release, the
 
 from __future__ import annotations
 
-from itertools import chain
-
 import numpy as np
 
 from aftdeck.arrays import Array
 from aftdeck.bodies.pose import POSE, compose, relative
-from aftdeck.kinematics.payload import PACKED, Payload
-from aftdeck.matrices import length, product
+from aftdeck.kinematics.payload import PACKED, HeldPayload
+from aftdeck.matrices import product
 from aftdeck.plant.state import PlantState
+from aftdeck.scenario.model import Scenario
 from aftdeck.simulation.constants.flight import Flight
 from aftdeck.simulation.constants.site import Site
 from aftdeck.simulation.log import Log
-from aftdeck.simulation.parts.carried import steering_setup
+from aftdeck.simulation.parts.carried import SteeringSetup, steering_setup
 from aftdeck.simulation.parts.free_flight import floating
 from aftdeck.simulation.parts.worksite_state import WorksiteState
-from aftdeck.simulation.payloads.hand_poses import InEffector, fixture_in_effector, payload_in_hand
-from aftdeck.simulation.state import Panel, State
+from aftdeck.simulation.payloads.hand_poses import payload_in_hand
+from aftdeck.simulation.state import Panel, Script
 from aftdeck.steering.mode import MODES
-from aftdeck.worksite.capture.snare import Snare
+from aftdeck.worksite.capture.snare import RIGID, Snare
 from aftdeck.worksite.watch.motion import motion
 
 NEAR = 3.0
@@ -32,7 +31,7 @@ NEAR = 3.0
 
 def attach(site: Site, worksite: WorksiteState, k: int) -> None:
     """Attach a payload to the frame of the last joint, in the payload's present pose (MO2SET)."""
-    worksite.cargo[k].held, worksite.floating[k] = True, None
+    worksite.payloads[k].held, worksite.floating[k] = True, None
     reset_grasp(site, worksite, k)
     worksite.update_attachments(site)
 
@@ -43,29 +42,29 @@ def reset_grasp(site: Site, worksite: WorksiteState, k: int) -> None:
     If the carriage draws the payload in, the payload moves from this pose. The carriage's full travel reduces the
     misalignment to zero; a part of this travel reduces it in proportion.
     """
-    payload = worksite.cargo[k]
+    payload = worksite.payloads[k]
     payload.grasp = payload.steered = pose_in_hand(site, worksite.frames, k).tolist()
-    if (fixture := fixture_in_hand(site, worksite.frames, k)) is not None:
-        position, rows = fixture
-        payload.fixture_at_capture = [*position, *chain.from_iterable(rows)]
+    grip = None if site.capture is None else site.capture.grip(worksite.frames, k)
+    if grip is not None:
+        payload.fixture_at_capture = grip.tolist()
         payload.drawn_at_capture = worksite.snare.drawn
 
 
-def update_steering(flight: Flight, state: State) -> None:
-    """Set up the steering for the payload in the grasp, with the rate limits of the script's phase.
+def carried_by(scenario: Scenario, site: Site, worksite: WorksiteState, script: Script) -> SteeringSetup:
+    """Return the steering's setup for the payload in the grasp, with the rate limits of the script's phase.
 
-    To be called after a change of `PayloadState.steered`, of `Script.attached` or of `Script.limits`.
+    `State.carried` has to be set to it after a change of `PayloadState.steered`, `Script.attached` or `Script.limits`.
 
     The steering uses the mass and the axes of a worksite payload. The payload's centre is the point of resolution.
     """
-    scenario, script, payload = flight.scenario, state.script, None
-    for k, worksite_payload in enumerate(state.worksite.cargo):
+    payload = None
+    for k, worksite_payload in enumerate(worksite.payloads):
         if worksite_payload.held:
-            payload = _payload(flight.site, k, np.array(worksite_payload.steered))
+            payload = _payload(site, k, np.array(worksite_payload.steered))
     if script.attached:
         payload = scenario.own_payloads[script.attached - 1]
     limits = scenario.phases[script.limits].limits if script.limits >= 0 else None
-    state.carried = steering_setup(scenario, payload, limits)
+    return steering_setup(scenario, payload, limits)
 
 
 def set_effector(flight: Flight, worksite: WorksiteState, *, holding: bool) -> None:
@@ -73,12 +72,11 @@ def set_effector(flight: Flight, worksite: WorksiteState, *, holding: bool) -> N
     if flight.site.prong:
         worksite.prong.position = flight.prong.high if holding else flight.prong.low
     else:
-        held = Snare(ring=1.0, carriage=1.0, tension=1.0, captured=True, drawn=1.0)
-        worksite.snare = held if holding else Snare()
+        worksite.snare = RIGID if holding else Snare()
 
 
-def packed_in_grasp(site: Site, worksite: WorksiteState, carried: Payload | None) -> Array | None:
-    """Return the payload in the grasp, in the form of `Payload.packed`; None if the grasp is empty.
+def packed_in_grasp(site: Site, worksite: WorksiteState, carried: HeldPayload | None) -> Array | None:
+    """Return the payload in the grasp, in the form of `HeldPayload.packed`; None if the grasp is empty.
 
     The pose is the present pose, because carriage and latches move a worksite payload relative to the end effector.
     `carried` is the payload that the steering uses.
@@ -87,66 +85,36 @@ def packed_in_grasp(site: Site, worksite: WorksiteState, carried: Payload | None
     if k is None:
         return None if carried is None else carried.packed
     packed = np.empty(PACKED)
-    payload_in_hand(worksite.frames, site.last_joint, site.cargo_row(k), site.hand, packed)
+    payload_in_hand(worksite.frames, site.last_joint, site.payload_row(k), site.hand, packed)
     return packed
 
 
-def _payload(site: Site, k: int, grasp: Array) -> Payload:
+def _payload(site: Site, k: int, grasp: Array) -> HeldPayload:
     """Return payload k in the grasp; `grasp` (12,) is its pose in the frame of the last joint."""
     inside = np.empty(POSE)
     relative(site.hand, grasp, inside)
     rotation = inside[3:].reshape(3, 3).copy()
-    cargo = site.cargo[k]
-    return Payload(
-        cargo.mass,
+    payloads = site.payloads[k]
+    return HeldPayload(
+        payloads.mass,
         rotation,
         product(rotation.T, inside[:3]),
         np.zeros(3),
-        inertia=cargo.inertia,
-        centre_of_mass=cargo.centre_of_mass,
+        inertia=payloads.inertia,
+        centre_of_mass=payloads.centre_of_mass,
     )
 
 
 def pose_in_hand(site: Site, frames: Array, k: int) -> Array:
     """Return a payload's pose (12,) in the frame of the last joint; `frames` (F, 12): poses of all frames in L."""
     grasp = np.empty(POSE)
-    relative(frames[site.last_joint], frames[site.cargo_row(k)], grasp)
+    relative(frames[site.last_joint], frames[site.payload_row(k)], grasp)
     return grasp
-
-
-def fixture_in_hand(site: Site, frames: Array, k: int) -> InEffector | None:
-    """Return the pose of a payload's grapple fixture in the end effector's axes E.
-
-    Args:
-        site: constants of the worksite.
-        frames: (F, 12) poses of all frames in L.
-        k: the payload.
-
-    Returns:
-        The pose; None if the end effector has no snares, or the payload has no fixture.
-    """
-    fixture = site.snares.fixtures[k] if site.snares is not None else None
-    if fixture is None:
-        return None
-    return fixture_in_effector(frames, site.last_joint, site.effector, site.cargo_row(k), fixture)
-
-
-def nearest_fixture(site: Site, frames: Array, within: float = NEAR) -> tuple[int, InEffector] | None:
-    """Return the payload whose fixture is nearest to the end effector, and the fixture's pose in E.
-
-    None if no fixture is nearer than `within` [m].
-    """
-    best, least = None, within
-    for k in range(len(site.cargo)):
-        fixture = fixture_in_hand(site, frames, k)
-        if fixture is not None and (away := length(fixture[0])) < least:
-            best, least = (k, fixture), away
-    return best
 
 
 def empty_grasp(site: Site, worksite: WorksiteState, panel: Panel, log: Log, k: int) -> None:
     """End the grasp of payload k. If the present mode moves a payload, select ORB UNL."""
-    payload = worksite.cargo[k]
+    payload = worksite.payloads[k]
     payload.held, payload.grasp, payload.fixture_at_capture, payload.steered, payload.drawn_at_capture = (
         False,
         None,
@@ -167,7 +135,7 @@ def start_free_flight(flight: Flight, worksite: WorksiteState, plant: PlantState
     includes the orbiter's velocity.
     """
     site = flight.site
-    row = site.cargo_row(k)
+    row = site.payload_row(k)
     now = motion(worksite.before[row], worksite.frames[row], flight.scenario.control_period)
     pose = worksite.frames[row].copy()
     pose[:3] += site.scene[:3] - worksite.frames[site.space_row, :3]
@@ -177,5 +145,5 @@ def start_free_flight(flight: Flight, worksite: WorksiteState, plant: PlantState
     velocity = np.array([now.vx, now.vy, now.vz]) + product(site.axes, worksite.orbiter_velocity)
     if from_space:
         velocity[:] = 0.0
-    worksite.floating[k] = floating(pose, velocity, turn, site.cargo[k].limit_cycle)
+    worksite.floating[k] = floating(pose, velocity, turn, site.payloads[k].limit_cycle)
     worksite.update_attachments(site)

@@ -5,17 +5,13 @@ from __future__ import annotations
 import numpy as np
 
 from aftdeck.arrays import Array
-from aftdeck.bodies.pose import POSE, compose, relative, rows, vec3
+from aftdeck.bodies.pose import POSE, relative
 from aftdeck.law import law
-from aftdeck.tuples import Rows, Vec3
-
-InEffector = tuple[Vec3, Rows]
-"""Position and rotation of a grapple fixture in the end effector's axes E."""
 
 
 @law
 def payload_in_hand(frames: Array, last_joint: int, row: int, hand: Array, packed: Array) -> None:
-    """Write a payload's pose in frame 7 to `packed`, in the layout of `Payload.packed`; its POR is its centre.
+    """Write a payload's pose in frame 7 to `packed`, in the layout of `HeldPayload.packed`; its POR is its centre.
 
     Args:
         frames: (F, 12) poses of all frames in L.
@@ -31,21 +27,3 @@ def payload_in_hand(frames: Array, last_joint: int, row: int, hand: Array, packe
     for i in range(3):
         packed[9 + i] = inside[3 + i] * inside[0] + inside[6 + i] * inside[1] + inside[9 + i] * inside[2]
     packed[12:] = 0.0
-
-
-@law
-def fixture_in_effector(frames: Array, last_joint: int, effector: Array, row: int, fixture: Array) -> InEffector:
-    """Return the pose of a payload's fixture in the end effector's axes E.
-
-    Args:
-        frames: (F, 12) poses of all frames in L.
-        last_joint: row of the frame of the last joint.
-        effector: (12,) pose of E in the frame of the last joint.
-        row: row of the payload's frame.
-        fixture: (12,) pose of the fixture in the payload.
-    """
-    outer, inner, pose = np.empty(POSE), np.empty(POSE), np.empty(POSE)
-    compose(frames[last_joint], effector, outer)
-    compose(frames[row], fixture, inner)
-    relative(outer, inner, pose)
-    return vec3(pose, 0), rows(pose, 3)

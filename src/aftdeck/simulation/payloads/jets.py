@@ -15,7 +15,7 @@ from aftdeck.simulation.constants.flight import Flight
 from aftdeck.simulation.parts.free_flight import Floating
 from aftdeck.simulation.parts.worksite_state import WorksiteState
 from aftdeck.tuples import Rows, Vec3
-from aftdeck.worksite.model import Cargo
+from aftdeck.worksite.payload import Payload
 
 BAND, RATE = slice(0, 3), slice(3, 6)
 """Parts of a packed limit cycle (`worksite.free_flight.LimitCycle`)."""
@@ -29,7 +29,7 @@ def translation_rejection(flight: Flight, worksite: WorksiteState, bodies: Bodie
     if bodies is not None and flight.scenario.orbiter == "fixed":
         return "orbiter translation refused: the scenario fixes the orbiter (dynamics.orbiter)"
     held = worksite.held
-    if held is not None and worksite.cargo[held].seat and site.in_space(worksite.cargo[held].seat):
+    if held is not None and worksite.payloads[held].berth and site.in_space(worksite.payloads[held].berth):
         return "orbiter translation refused: the arm holds a docked payload; RELEASE or UNLATCH it"
     return ""
 
@@ -55,14 +55,14 @@ def translation_command(flight: Flight, worksite: WorksiteState, bodies: Bodies,
 
 
 def attitude_torques(
-    cargo: tuple[Cargo, ...], flights: list[Floating | None], bodies: Bodies, period: float
+    payloads: tuple[Payload, ...], flights: list[Floating | None], bodies: Bodies, period: float
 ) -> list[Push]:
     """Return the torques of free flyers with attitude control.
 
     When an angle leaves its deadband, the jets turn the rate of this axis around within one control period.
 
     Args:
-        cargo: the payloads.
+        payloads: the payloads.
         flights: free flight of each payload; None for a payload that does not float.
         bodies: the plant's bodies.
         period: control period [s].
@@ -81,7 +81,7 @@ def attitude_torques(
             if (angle > band and rates[axis] > wanted) or (angle < -band and rates[axis] < wanted):
                 change[axis] = wanted - rates[axis]
         if any(change.tolist()):
-            torque = product(cargo[k].inertia, change) / period
+            torque = product(payloads[k].inertia, change) / period
             turned = product(bodies.payloads[k, 3:].reshape(3, 3), torque)
             found.append(Push(k, np.zeros(3), turned, bodies.payloads[k, :3]))
     return found

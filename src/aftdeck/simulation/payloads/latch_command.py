@@ -7,10 +7,10 @@ from typing import Literal
 
 from aftdeck.arrays import Array
 from aftdeck.matrices import distance
-from aftdeck.simulation.constants.berths import Berth
 from aftdeck.simulation.constants.site import Site
 from aftdeck.simulation.log import Log
 from aftdeck.simulation.parts.worksite_state import PayloadState, WorksiteState
+from aftdeck.worksite.berths.berth import Fit
 from aftdeck.worksite.watch.contact_update import nearest_place
 
 Pressed = Literal["latch", "unlatch"]
@@ -21,10 +21,10 @@ CONFIRM = 10.0
 """Time within which a second UNLATCH confirms the first [s]; assumed."""
 
 
-def nearest_berth(site: Site, frames: Array, k: int) -> Berth | None:
-    """Return the berth whose final position for a payload is nearest to the payload; None if none is within `NEAR`."""
-    nearest = nearest_place(frames, site.cargo_row(k), site.berth_rows[k], site.berth_places[k], NEAR)
-    return None if nearest < 0 else site.berths[k][nearest]
+def nearest_berth(site: Site, frames: Array, k: int) -> Fit | None:
+    """Return the berth whose final position for payload k is nearest to the payload; None if none is within `NEAR`."""
+    nearest = nearest_place(frames, site.payload_row(k), site.berth_rows[k], site.berth_places[k], NEAR)
+    return None if nearest < 0 else site.fits[k][nearest]
 
 
 def addressed(site: Site, worksite: WorksiteState, pressed: Pressed | None) -> int | None:
@@ -41,12 +41,14 @@ def addressed(site: Site, worksite: WorksiteState, pressed: Pressed | None) -> i
         return worksite.held
     hand = worksite.frames[site.last_joint, :3]
     candidates = []
-    for k, payload in enumerate(worksite.cargo):
-        if payload.seat:
-            fits = not site.is_passive_berth(payload.seat) and (pressed == "unlatch" or not _is_latched(payload))
+    for k, payload in enumerate(worksite.payloads):
+        if payload.berth:
+            fits = site.berth(payload.berth).closes != "at release" and (
+                pressed == "unlatch" or not _is_latched(payload)
+            )
         else:
             fits = pressed == "latch" and nearest_berth(site, worksite.frames, k) is not None
-        candidates.append((not fits, distance(hand.tolist(), worksite.frames[site.cargo_row(k), :3].tolist()), k))
+        candidates.append((not fits, distance(hand.tolist(), worksite.frames[site.payload_row(k), :3].tolist()), k))
     return min(candidates)[2] if candidates else None
 
 

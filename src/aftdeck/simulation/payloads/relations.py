@@ -8,23 +8,12 @@ contact is detrimental.
 
 from __future__ import annotations
 
-import numpy as np
-
-from aftdeck.arrays import Array, Indices, Mask
-from aftdeck.bodies.pair import CONTACT, PAIR
-from aftdeck.frames import oriend_rows
-from aftdeck.law import law
-from aftdeck.matrices import length
-from aftdeck.simulation.constants.berths import Berth
-from aftdeck.simulation.constants.site import Meeting, Site
-from aftdeck.simulation.payloads.grasp import fixture_in_hand
-from aftdeck.simulation.payloads.seating import approached
-from aftdeck.worksite.capture.acquisition import FIXED, PALM, PRONG
-from aftdeck.worksite.seats.berthing import inside
-from aftdeck.worksite.seats.docking import BEFORE, DISTANCE, INSIDE
+from aftdeck.arrays import Array, Mask
+from aftdeck.bodies.pair import CONTACT
+from aftdeck.simulation.constants.site import Site
+from aftdeck.worksite.relation import Meeting
 from aftdeck.worksite.watch.clearance_monitor import ClearanceMonitor
 from aftdeck.worksite.watch.found import CLEARANCE
-from aftdeck.worksite.watch.near import touch
 
 
 def permitted(site: Site, watch: ClearanceMonitor, frames: Array) -> Mask:
@@ -49,97 +38,8 @@ def permitted(site: Site, watch: ClearanceMonitor, frames: Array) -> Mask:
 
 def _related(site: Site, watch: ClearanceMonitor, frames: Array, meeting: Meeting) -> bool:
     """Return whether the two parts of a pair are in their relation."""
-    k, depth = meeting.cargo, meeting.depth
-    match meeting.relation:
-        case "acquisition":
-            return _about_bar(site, watch.placed, k, depth)
-        case "docking":
-            ports = (berth for berth in site.berths[k] if berth.port is not None)
-            return any(_at_port(site, frames, k, berth, depth) for berth in ports)
-        case "guides":
-            guided = (berth for berth in site.berths[k] if berth.guides is not None)
-            return any(_in_mouth(site, watch.placed, frames, meeting, berth) for berth in guided)
-        case "capture":
-            return _in_envelope(site, frames, k, depth)
-
-
-def _about_bar(site: Site, placed: Array, k: int, depth: float) -> bool:
-    """Return whether the bar is in front of the palm and between the fingers: conditions 1 to 3 of acquisition."""
-    if site.bar is None or (found := site.bar.measured(placed, k)) is None:
-        return False
-    return bool(min(found[PALM], found[FIXED], found[PRONG]) >= -depth)
-
-
-def _at_port(site: Site, frames: Array, k: int, berth: Berth, depth: float) -> bool:
-    """Return whether the probe is in the docking envelope, and its face is within docking distance of the port."""
-    found = approached(berth, frames, site.cargo_row(k))
-    return bool(found[BEFORE] >= -depth and found[INSIDE] >= -depth and found[DISTANCE] <= berth.docking.distance)
-
-
-def _in_mouth(site: Site, placed: Array, frames: Array, meeting: Meeting, berth: Berth) -> bool:
-    """Return whether every trunnion in contact is inside the mouth of its own V-guide."""
-    guides, layout, k = berth.guides, site.layout, meeting.cargo
-    assert guides is not None
-    return guided(
-        berth.trunnion_offsets(frames, site.cargo_row(k), site.cargo[k].trunnions),
-        guides.opening,
-        guides.throat,
-        guides.height,
-        guides.play,
-        placed,
-        layout.pairs[layout.begins[meeting.group] : layout.begins[meeting.group + 1]],
-        meeting.trunnions,
-        meeting.depth,
-    )
-
-
-@law
-def guided(
-    found: Array,
-    opening: Array,
-    throat: Array,
-    height: Array,
-    play: Array,
-    placed: Array,
-    pairs: Indices,
-    trunnions: Indices,
-    depth: float,
-) -> bool:
-    """Return whether every trunnion in contact is inside the mouth of its own V-guide.
-
-    Args:
-        found: (n, 4) result of `berthing.offsets`.
-        opening: `Guides.opening`.
-        throat: `Guides.throat`.
-        height: `Guides.height`.
-        play: `Guides.play`.
-        placed: (s, 52) all solids in L.
-        pairs: (m, 2) pairs of solids of trunnions and guides.
-        trunnions: (m,) trunnion to which each pair belongs.
-        depth: permitted penetration depth [m].
-    """
-    pair = np.zeros(PAIR)
-    for k in range(len(pairs)):
-        if inside(trunnions[k], found, opening, throat, height, play) >= -depth:
-            continue
-        if touch(placed[pairs[k, 0]], placed[pairs[k, 1]], pair):
-            return False
-    return True
-
-
-def _in_envelope(site: Site, frames: Array, k: int, depth: float) -> bool:
-    """Return whether the pin is in the capture envelope, without a limit at the envelope's outer end.
-
-    The snares reach beyond the outer end, and may touch the base of the fixture.
-    """
-    if site.snares is None or (fixture := fixture_in_hand(site, frames, k)) is None:
-        return False
-    envelope, ((out, y, z), rows) = site.snares.envelope, fixture
-    roll, pitch, yaw = (abs(angle) for angle in oriend_rows(rows))
-    return bool(
-        length((y, z)) <= envelope.radial
-        and out >= envelope.nearest - depth
-        and roll <= envelope.roll
-        and pitch <= envelope.pitch
-        and yaw <= envelope.yaw
-    )
+    k, device = meeting.payload, site.capture
+    if device is not None and meeting.relation == device.relation:
+        return device.permits(frames, watch.placed, meeting)
+    fits = (fit for fit in site.fits[k] if fit.relation == meeting.relation)
+    return any(fit.permits(frames, site.payload_row(k), watch.placed, meeting) for fit in fits)

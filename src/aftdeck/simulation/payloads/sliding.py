@@ -44,7 +44,7 @@ def slide_along(flight: Flight, state: State, telescope: float, held: int) -> fl
     near = met(worksite.watch.found, counts, state.steering, abs(telescope) * travel.rate, period)
     if near == 0.0:
         return telescope
-    found = touches(worksite.watch, counts, site.cargo[held].name, near, period, OUT)
+    found = touches(worksite.watch, counts, site.payloads[held].name, near, period, OUT)
     telescope *= _telescope_fraction(found, -telescope * travel.rate)
     height = state.plant.stand.after(travel, telescope, period)
     rules = state.rules

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import math
-
 import numpy as np
 
 from aftdeck.arrays import Array, Indices
@@ -17,16 +15,11 @@ from aftdeck.simulation.constants.site import Site
 from aftdeck.simulation.inputs import Inputs
 from aftdeck.simulation.parts.worksite_state import WorksiteState
 from aftdeck.simulation.payloads.disturbances import pushes
-from aftdeck.simulation.payloads.grasp import nearest_fixture, pose_in_hand
+from aftdeck.simulation.payloads.grasp import pose_in_hand
 from aftdeck.simulation.payloads.jets import attitude_torques, translation_command
 from aftdeck.simulation.state import State
-from aftdeck.worksite.capture.grapple import in_envelope
-from aftdeck.worksite.conditions import all_hold
 from aftdeck.worksite.watch.near import near_pairs
 
-_GIVES = {"port": 0.2, "retention": 0.1}
-"""Time constants with which docking ports and bay latches return a payload to its place [s]; with a port's, a payload
-that arrives at 0.2 m/s moves 15 mm past it (assumed)."""
 NEAR = 0.02
 """Distance below which two solids can touch in the next control period [m], in addition to the distance that they cover
 at their present speeds: for an acceleration of 0.5 m/s2, it is enough for periods up to 0.28 s (assumed)."""
@@ -39,9 +32,9 @@ def surroundings(flight: Flight, state: State, inputs: Inputs) -> Surroundings:
     site, worksite, bodies = flight.site, state.worksite, state.plant.bodies
     if bodies is None:
         return NOTHING
-    found = attitude_torques(site.cargo, worksite.floating, bodies, flight.scenario.control_period)
+    found = attitude_torques(site.payloads, worksite.floating, bodies, flight.scenario.control_period)
     if state.disturbances:
-        found += pushes(site.cargo, state.disturbances, state.plant.base)
+        found += pushes(site.payloads, state.disturbances, state.plant.base)
     return Surroundings(
         _holds(site, worksite),
         _near(flight, worksite),
@@ -79,30 +72,21 @@ def _holds(site: Site, worksite: WorksiteState) -> list[Hold]:
     is pulled by both: the latches draw it in, and the arm gives way.
     """
     found = []
-    for k, payload in enumerate(worksite.cargo):
+    for k, payload in enumerate(worksite.payloads):
         if payload.grasp is not None:
             found.append(Hold(k, "hand", np.array(payload.grasp)))
-        if (berth := site.berth(k, payload.seat)) is not None:
+        if (fit := site.fit(k, payload.berth)) is not None:
             seated, pose = np.empty(POSE), np.empty(POSE)
-            compose(berth.place, np.array(payload.offset_in_seat), seated)
+            compose(fit.place, np.array(payload.offset_in_berth), seated)
             compose(site.scene, seated, pose)
-            found.append(
-                Hold(k, "space" if berth.row == site.space_row else "orbiter", pose, give=_GIVES[berth.seat.kind])
-            )
-    snare = worksite.snare
-    closes = worksite.held is None and snare.motion == "capture" and snare.ring < 1.0
-    if closes and (k := _snared(site, worksite.frames)) >= 0:
-        found.append(Hold(k, "hand", pose_in_hand(site, worksite.frames, k), snare.ring))
+            in_space = fit.row == site.space_row
+            found.append(Hold(k, "space" if in_space else "orbiter", pose, give=fit.berth.gives))
+    device, placed = site.capture, worksite.watch.placed
+    touched = None if device is None else device.touched(worksite.controls(), worksite.held, worksite.frames, placed)
+    if touched is not None:
+        k, closed = touched
+        found.append(Hold(k, "hand", pose_in_hand(site, worksite.frames, k), closed))
     return found
-
-
-def _snared(site: Site, frames: Array) -> int:
-    """Return the payload whose pin is inside the capture envelope, where closing snares touch it; -1 for none."""
-    near, snares = nearest_fixture(site, frames, math.inf), site.snares
-    if near is None or snares is None:
-        return -1
-    k, fixture = near
-    return k if all_hold(in_envelope(fixture, snares.envelope)) else -1
 
 
 def follow_bodies(site: Site, worksite: WorksiteState, plant: PlantState, bodies: Bodies) -> None:
@@ -110,7 +94,7 @@ def follow_bodies(site: Site, worksite: WorksiteState, plant: PlantState, bodies
     for k, floating in enumerate(worksite.floating):
         if floating is not None:
             floating.pose[:], floating.motion[:] = bodies.payloads[k], bodies.motions[k]
-    if site.cargo:
+    if site.payloads:
         ride(site.scene, plant.base, plant.frames, worksite.carrier, bodies.payloads, worksite.poses_in_carrier)
 
 

@@ -32,8 +32,8 @@ def _task(site: Site, worksite: WorksiteState) -> int:
     held = worksite.held
     if held is None:
         return ACQUISITION
-    seat = worksite.cargo[held].seat
-    if seat and site.seat(seat).kind == "port":
+    seat = worksite.payloads[held].berth
+    if seat and site.berth(seat).docks:
         return DOCKED
     return EXTRACTION if in_bay(site, worksite.watch.placed, held) else MANOEUVRING
 

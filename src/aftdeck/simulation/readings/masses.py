@@ -203,17 +203,17 @@ def of_bodies(scenario: Scenario) -> Iterator[Reading]:
         about = _about(flexure.part, "bends") | {"column": f"bend_{flexure.part}", "at": _at("frame.dynamics.bends", n)}
         for field in ("displacement", "rotation"):
             yield shown(Bend, field, f"bend_{flexure.part}_{field}", XYZ, **about)
-    payloads = [(cargo.name, f"payload_{n}") for n, cargo in enumerate(scenario.cargo, 1)]
-    for cargo, name in payloads:
+    payloads = [(payload.name, f"payload_{n}") for n, payload in enumerate(scenario.payloads, 1)]
+    for payload, name in payloads:
         for by in HOLDERS:
-            about = _about(f"{cargo}, {by}", "holds") | {"of": _held(cargo, by)}
+            about = _about(f"{payload}, {by}", "holds") | {"of": _held(payload, by)}
             yield shown(Holding, "force", f"{name}_held_by_{by.replace(' ', '_')}", **about)
     for body, name in ((TIP, TIP), (ORBITER, ORBITER), *(payloads or [(PART, PART)])):
         for field in ("force", "torque"):
             about = _about(body, "disturbances") | {"of": _disturbing(body, field)}
             yield shown(Wrench, field, f"{name}_disturbing_{field}", XYZ, **about)
-    for n, (cargo, name) in enumerate(payloads):
-        about = _about(cargo, "payload_rates", "gauges") | {"of": _at("gauges.payload_turn_rates", n)}
+    for n, (payload, name) in enumerate(payloads):
+        about = _about(payload, "payload_rates", "gauges") | {"of": _at("gauges.payload_turn_rates", n)}
         yield shown(Readings, "payload_turn_rates", f"{name}_turn_rate", XYZ, **about)
 
 

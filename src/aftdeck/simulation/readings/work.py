@@ -101,9 +101,9 @@ WORK = (
 
 def of_payloads(scenario: Scenario) -> Iterator[Reading]:
     """Yield the readings of each payload of the worksite."""
-    for n, cargo in enumerate(scenario.cargo):
+    for n, payload in enumerate(scenario.payloads):
         name = f"payload_{n + 1}"
-        about: dict[str, Any] = {"at": _cargo(n), "owner": cargo.name, "group": "payloads"}
+        about: dict[str, Any] = {"at": _cargo(n), "owner": payload.name, "group": "payloads"}
         yield from pose(Cargo, name, **about)
         yield shown(Cargo, "velocity", f"{name}_velocity", XYZ, **about)
         yield shown(Cargo, "held", f"{name}_held", **about)

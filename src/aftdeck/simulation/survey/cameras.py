@@ -140,11 +140,11 @@ def _logs_contact(scenario: Scenario, own: Parts) -> bool:
 
 def _on_payloads(scenario: Scenario, cameras: list[Camera]) -> Iterator[Problem]:
     """Yield the payloads' cameras that are inside the end effector at capture, or inside parts of a berth."""
-    for payload in scenario.cargo:
+    for payload in scenario.payloads:
         own = [camera for camera in cameras if camera.body == payload.name]
         for how, hand in hands(scenario.arm.model, scenario.worksite, payload).items():
             yield from _inside_parts(scenario, own, hand, f"with the end effector at the payload's bar, prong {how}")
-        for seat in scenario.worksite.seats:
+        for seat in scenario.worksite.berths:
             if seat.lacks(payload.probe, payload.trunnions):
                 continue
             around = parts_at(scenario.worksite.solids, inverted(seat.seated(payload.probe)))

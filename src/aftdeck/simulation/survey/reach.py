@@ -14,8 +14,8 @@ from aftdeck.files import Problem
 from aftdeck.frames import Pose
 from aftdeck.kinematics.arm import Arm
 from aftdeck.scenario.model import Scenario
-from aftdeck.scenario.relative import at_cargo, at_seat, composed, inverted, scene_in_l, takes
-from aftdeck.scenario.target import AtCargo, AtSeat, InFrame
+from aftdeck.scenario.relative import at_berth, at_payload, composed, inverted, scene_in_l, takes
+from aftdeck.scenario.target import AtBerth, AtPayload, InFrame
 
 
 class _ScriptTarget(NamedTuple):
@@ -32,11 +32,11 @@ def reach(scenario: Scenario) -> Iterator[Problem]:
     A pose is within reach if one of RMANGS's solutions is inside the soft stops.
     """
     model, stand = scenario.arm.model, scenario.start.stand
-    for k, payload in enumerate(scenario.cargo):
-        if payload.start.seat and takes(model, payload):
-            tip = composed(payload.start.pose, at_cargo(model, payload, AtCargo(k)))
+    for k, payload in enumerate(scenario.payloads):
+        if payload.start.berth and takes(model, payload):
+            tip = composed(payload.start.pose, at_payload(model, payload, AtPayload(k)))
             if why := _beyond(scenario, tip, stand):
-                where = f"in the seat {payload.start.seat!r}"
+                where = f"in the seat {payload.start.berth!r}"
                 yield Problem(("cargo", k), f"the end effector cannot reach {payload.name} {where}: {why}")
     for target in _script_targets(scenario):
         if why := _beyond(scenario, target.tip, target.stand):
@@ -51,40 +51,42 @@ def _script_targets(scenario: Scenario) -> Iterator[_ScriptTarget]:
     All poses are unknown after the orbiter has moved. A pose relative to a payload is also unknown in two cases: the
     payload moves in free flight, or an earlier phase moved it to a berth and ended with an event such as docking.
     """
-    model, cargo, start = scenario.arm.model, scenario.cargo, scenario.start
-    seats = {seat.name: seat for seat in scenario.worksite.seats}
+    model, payloads, start = scenario.arm.model, scenario.payloads, scenario.start
+    seats = {seat.name: seat for seat in scenario.worksite.berths}
     still = [
-        not (payload.limit_cycle or payload.start.velocity.any() or payload.start.rates.any()) for payload in cargo
+        not (payload.limit_cycle or payload.start.velocity.any() or payload.start.rates.any()) for payload in payloads
     ]
-    poses = {payload.name: payload.start.pose for payload, rests in zip(cargo, still, strict=True) if rests}
+    poses = {payload.name: payload.start.pose for payload, rests in zip(payloads, still, strict=True) if rests}
     held, tip_in_payload, stand = -1, None, start.stand
     if start.grasped is not None:
-        held = start.grasped.cargo
+        held = start.grasped.payload
         tip_at_grasp = _at(scenario, start.grasped.stand).forward(start.grasped.angles)
-        tip_in_payload = composed(inverted(cargo[held].start.pose), composed(inverted(_scene(scenario)), tip_at_grasp))
+        tip_in_payload = composed(
+            inverted(payloads[held].start.pose), composed(inverted(_scene(scenario)), tip_at_grasp)
+        )
     for k, phase in enumerate(scenario.phases):
         if any(phase.orbiter):
             return
         stand = stand if phase.stand_at is None else phase.stand_at
         tip: Pose | None = None
         match phase.target:
-            case AtCargo(cargo=held):
-                payload = cargo[held]
-                tip_in_payload = at_cargo(model, payload, phase.target)
+            case AtPayload(payload=held):
+                payload = payloads[held]
+                tip_in_payload = at_payload(model, payload, phase.target)
                 if payload.name in poses:
                     tip = composed(poses[payload.name], tip_in_payload)
-            case AtSeat(seat=name) as place if tip_in_payload is not None:
-                payload, seat = cargo[held], seats[name]
+            case AtBerth(berth=name) as place if tip_in_payload is not None:
+                payload, seat = payloads[held], seats[name]
                 if phase.until is not None:  # the phase ends as soon as the berth fixes the payload
                     place = msgspec.structs.replace(place, above=max(place.above, seat.distance))
-                poses[payload.name] = at_seat(seat, payload, place)
+                poses[payload.name] = at_berth(seat, payload, place)
                 tip = composed(poses[payload.name], tip_in_payload)
-            case InFrame(frame=name) if name in poses or name not in {payload.name for payload in cargo}:
+            case InFrame(frame=name) if name in poses or name not in {payload.name for payload in payloads}:
                 tip = composed(poses[name], phase.target.pose) if name in poses else phase.target.pose
-        if tip is not None and (phase.until is None or isinstance(phase.target, AtSeat)):
+        if tip is not None and (phase.until is None or isinstance(phase.target, AtBerth)):
             yield _ScriptTarget(k, tip, stand)
-        if phase.until is not None and isinstance(phase.target, AtSeat):
-            poses.pop(cargo[held].name, None)
+        if phase.until is not None and isinstance(phase.target, AtBerth):
+            poses.pop(payloads[held].name, None)
 
 
 def _beyond(scenario: Scenario, tip: Pose, stand: float) -> str:

@@ -184,7 +184,7 @@ class Displays:
 
 def payload_id(frame: sim.Frame) -> int:
     """Return the PL ID of the captured payload; 0 if there is none."""
-    return frame.attached or next((i for i, cargo in enumerate(frame.work.cargo, 1) if cargo.held), 0)
+    return frame.attached or next((i for i, payload in enumerate(frame.work.cargo, 1) if payload.held), 0)
 
 
 def _vec3(values: Array) -> Vec3:

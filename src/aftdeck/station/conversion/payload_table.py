@@ -24,7 +24,7 @@ def payload_table(scenario: Scenario) -> tuple[PayloadInfo, ...]:
 def loads(scenario: Scenario) -> tuple[tuple[str, float], ...]:
     """Return name and mass [kg] of the payload with each PL ID."""
     own = [("payload" if k == 1 else f"payload {k}", load.mass) for k, load in enumerate(scenario.own_payloads, 1)]
-    return (("no payload", 0.0), *own, *((cargo.name, cargo.mass) for cargo in scenario.cargo))
+    return (("no payload", 0.0), *own, *((payload.name, payload.mass) for payload in scenario.payloads))
 
 
 def _row(scenario: Scenario, number: int, name: str, mass: float) -> PayloadInfo:

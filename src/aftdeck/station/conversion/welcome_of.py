@@ -97,8 +97,8 @@ def _work(scenario: Scenario) -> WorkInfo:
         hand="snares" if prong is None else "prong",
         effector=(model.linkage.frames[-1], *(() if prong is None else (prong.frame,))),
         stand=None if telescope is None else StandInfo(telescope.least, telescope.greatest, telescope.rate),
-        cargo=tuple(cargo.name for cargo in scenario.cargo),
-        seats=tuple(SeatInfo(seat.name, seat.title) for seat in scenario.worksite.seats),
+        cargo=tuple(payload.name for payload in scenario.payloads),
+        seats=tuple(SeatInfo(seat.name, seat.title) for seat in scenario.worksite.berths),
         parts=tuple(scenario.parts),
         caution=scenario.caution,
         warning=scenario.warning,
@@ -126,8 +126,8 @@ def _flexures(scenario: Scenario) -> tuple[FlexureInfo, ...]:
 
 def _ghost(scenario: Scenario, count: int) -> tuple[int, ...]:
     """Return the indices of the arm's bodies and the payloads in `Welcome.bodies`, which has `count` entries."""
-    first, cargo = len(scenario.worksite.bodies), len(scenario.cargo)
-    return (*range(first, first + len(scenario.arm.model.frames)), *range(count - cargo, count))
+    first, payload = len(scenario.worksite.bodies), len(scenario.payloads)
+    return (*range(first, first + len(scenario.arm.model.frames)), *range(count - payload, count))
 
 
 def _has_points(scenario: Scenario, mode: Mode) -> bool:

@@ -74,6 +74,10 @@ class Snare(msgspec.Struct, frozen=True):
         return 1.0 - self.drawn
 
 
+RIGID = Snare(ring=1.0, carriage=1.0, tension=1.0, captured=True, drawn=1.0)
+"""End effector that holds a payload rigidly."""
+
+
 class Flags(NamedTuple):
     """The end effector's talkbacks, as on the panel."""
 

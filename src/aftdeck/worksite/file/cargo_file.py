@@ -6,7 +6,7 @@ from aftdeck.arms.body_file import Sides
 from aftdeck.shapes import Material, Shape, without_lamps
 from aftdeck.units import Angle, AngularRate, Length, Mass, Speed
 from aftdeck.worksite.file.mass_file import MassTable
-from aftdeck.worksite.file.tables import Placed, Range, Table, Text, Turn, ordered, positive
+from aftdeck.worksite.tables import Placed, Range, Table, Text, Turn, ordered, positive
 
 
 class PrismBody(Table, frozen=True, kw_only=True, tag_field="kind", tag="prism"):

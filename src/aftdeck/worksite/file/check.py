@@ -13,8 +13,10 @@ from aftdeck.bodies.hexahedron import CORNERS, NX, D, pack
 from aftdeck.bodies.solid import Solid
 from aftdeck.files import Problem, Where
 from aftdeck.frames import Pose
+from aftdeck.worksite.body import Body
 from aftdeck.worksite.file.schema import WorksiteFile
-from aftdeck.worksite.model import Bay, Body, Cargo
+from aftdeck.worksite.model import Bay
+from aftdeck.worksite.payload import Payload
 
 ARM = "arm."
 """Prefix of the names of an arm's frames. This module does not check whether a camera's frame exists on the arm,
@@ -41,19 +43,19 @@ def misnamed(file: WorksiteFile) -> Iterator[Problem]:
             "the first body gives the scene frame; it has to be fixed to the orbiter, with zero position and rotation",
         )
     bodies = [body.name for body in file.body]
-    cargoes = [cargo.name for cargo in file.cargo]
+    payloads = [payload.name for payload in file.cargo]
     for kind, items in (("body", file.body), ("seat", file.seat), ("camera", file.camera), ("drive", file.drive)):
         yield from _repeated(kind, [item.name for item in items], ())
-    yield from _repeated("cargo", cargoes, (*bodies, *FRAMES))
-    for i, name in enumerate(cargoes):
+    yield from _repeated("cargo", payloads, (*bodies, *FRAMES))
+    for i, name in enumerate(payloads):
         if name.startswith(ARM):
             yield Problem(("cargo", i), f"{name!r}: names that begin with {ARM!r} are reserved for the arm's frames")
     for i, seat in enumerate(file.seat):
         if seat.body not in bodies:
             yield Problem(("seat", i, "body"), f"{seat.body!r} is not a body; bodies are: {', '.join(bodies)}")
     for i, camera in enumerate(file.camera):
-        if camera.body not in (*bodies, *cargoes) and not camera.body.startswith(ARM):
-            choices = ", ".join((*bodies, *cargoes))
+        if camera.body not in (*bodies, *payloads) and not camera.body.startswith(ARM):
+            choices = ", ".join((*bodies, *payloads))
             yield Problem(("camera", i, "body"), f"{camera.body!r} is not a body; bodies are: {choices}")
     yield from _housing_problems(file)
 
@@ -112,7 +114,7 @@ def blind_cameras(
     cameras: Mapping[int, Camera],
     bodies: Sequence[Body],
     solids: Sequence[Solid],
-    cargoes: Sequence[Cargo],
+    payloads: Sequence[Payload],
     clearance: float,
 ) -> Iterator[Problem]:
     """Yield a problem for each camera that is inside a solid, or nearer to a solid than `clearance` [m].
@@ -123,7 +125,7 @@ def blind_cameras(
     behind windows whose cabin the file does not name, or solids that come near a camera during a run.
     """
     still = {body.name: body.pose for body in bodies}
-    own = {cargo.name: cargo.solids for cargo in cargoes}
+    own = {payload.name: payload.solids for payload in payloads}
     for i, camera in cameras.items():
         if camera.kind == "window" and not camera.inside:
             continue

@@ -16,7 +16,8 @@ from aftdeck.errors import InputError, ScenarioError
 from aftdeck.files import Problem, Text, as_path, examine, is_file, line_of, read, sentences
 from aftdeck.shapes import Shape
 from aftdeck.tuples import plain_vector
-from aftdeck.worksite.file.cargo import FITTINGS, cargo_of
+from aftdeck.worksite.berths.berth import Berth
+from aftdeck.worksite.body import Body
 from aftdeck.worksite.file.check import (
     ARM,
     bay_without_walls,
@@ -26,23 +27,19 @@ from aftdeck.worksite.file.check import (
     parts_in_two_frames,
 )
 from aftdeck.worksite.file.housing import Housed, housed
-from aftdeck.worksite.file.schema import BarFile, BayFile, BodyFile, OrbiterFile, PortFile, SnareFile, WorksiteFile
-from aftdeck.worksite.file.seats import disc, seat_of
+from aftdeck.worksite.file.payload import payload_of
+from aftdeck.worksite.file.schema import BayFile, BodyFile, OrbiterFile, WorksiteFile
 from aftdeck.worksite.file.solids import as_solids, drawn, moved, solids_of
 from aftdeck.worksite.model import (
-    BarAcquisition,
     Bay,
-    Body,
-    Cargo,
-    Essential,
     Jets,
     Mounted,
     OrbiterMass,
-    Seat,
-    SnareCapture,
     Translation,
     Worksite,
 )
+from aftdeck.worksite.payload import FITTINGS, Payload
+from aftdeck.worksite.relation import Essential
 
 _BUILT_IN = Path(__file__).parents[1]
 
@@ -134,12 +131,12 @@ def _made(file: WorksiteFile, text: str, problems: list[Problem]) -> Worksite:
     """Return the worksite without its invalid items, and add a problem for each invalid item to `problems`."""
     cameras = _cameras(file, problems)
     made = [
-        _body(body, i, _discs(file, body.name), housed(tuple(cameras.values()), file, body.name), problems)
+        _body(body, i, _marks(file, body.name), housed(tuple(cameras.values()), file, body.name), problems)
         for i, body in enumerate(file.body)
     ]
     bodies = tuple(body for body, _ in made)
     solids = tuple(solid for _, own in made for solid in own)
-    seats = _seats(file, made, problems)
+    berths = _berths(file, made, problems)
     on_frames = {
         name: housed(tuple(cameras.values()), file, name)
         for name in dict.fromkeys(camera.body for camera in cameras.values())
@@ -149,21 +146,21 @@ def _made(file: WorksiteFile, text: str, problems: list[Problem]) -> Worksite:
         for name, own in on_frames.items()
         if name.startswith(ARM) and own.solids
     }
-    listed = _cargoes(file, seats, on_frames, problems)
-    cargoes = tuple(listed.values())
+    listed = _payloads(file, berths, on_frames, problems)
+    payloads = tuple(listed.values())
     problems += parts_in_two_frames(
         [
             *((("body", i), own) for i, (_, own) in enumerate(made)),
-            *((("cargo", i), cargo.solids) for i, cargo in listed.items()),
+            *((("cargo", i), payload.solids) for i, payload in listed.items()),
             *((("camera",), own.solids) for own in mounted.values()),
         ]
     )
-    parts = dict.fromkeys(solid.part for own in (solids, *(cargo.solids for cargo in cargoes)) for solid in own)
+    parts = dict.fromkeys(solid.part for own in (solids, *(payload.solids for payload in payloads)) for solid in own)
     problems += inside_nothing(file, parts)
     bay = None if file.bay is None else _bay(file.bay)
     if bay is not None and not problems:
         problems += bay_without_walls(bay, solids)
-    problems += blind_cameras(cameras, bodies, solids, cargoes, file.camera_clearance)
+    problems += blind_cameras(cameras, bodies, solids, payloads, file.camera_clearance)
     return Worksite(
         name=file.name,
         title=file.title,
@@ -174,15 +171,15 @@ def _made(file: WorksiteFile, text: str, problems: list[Problem]) -> Worksite:
         origin=plain_vector(file.origin),
         solids=solids,
         mounted=mounted,
-        seats=seats,
-        cargoes=cargoes,
+        berths=berths,
+        payloads=payloads,
         essential=tuple(
             Essential((a, b), pair.relation, float(pair.depth))
             for pair in file.essential
             for a in _named(pair.parts[0], parts)
             for b in _named(pair.parts[1], parts)
         ),
-        acquisition=_acquisition(file.acquisition),
+        acquisition=file.acquisition,
         bay=bay,
         translation=None
         if file.translation is None
@@ -205,16 +202,16 @@ def _orbiter(file: OrbiterFile) -> OrbiterMass:
     )
 
 
-def _discs(file: WorksiteFile, body: str) -> list[Shape]:
-    """Return the shapes that mark a body's ports."""
-    return [disc(seat) for seat in file.seat if isinstance(seat, PortFile) and seat.body == body]
+def _marks(file: WorksiteFile, body: str) -> list[Shape]:
+    """Return the shapes that mark a body's berths."""
+    return [shape for berth in file.seat if berth.body == body for shape in berth.marks()]
 
 
 def _body(
-    file: BodyFile, i: int, ports: list[Shape], cameras: Housed, problems: list[Problem]
+    file: BodyFile, i: int, marks: list[Shape], cameras: Housed, problems: list[Problem]
 ) -> tuple[Body, tuple[Solid, ...]]:
     """Return a body, and its solids in the coordinate frame to which the body is fixed."""
-    shapes = [*file.shapes, *ports, *cameras.shapes]
+    shapes = [*file.shapes, *marks, *cameras.shapes]
     body = Body(file.name, (), file.details, file.fixed_to, plain_vector(file.position), plain_vector(file.rotation))
     solids: list[Solid] = []
     solids += cameras.as_solids(file.fixed_to, body.pose)
@@ -231,40 +228,40 @@ def _body(
     return msgspec.structs.replace(body, shapes=tuple(shapes)), tuple(solids)
 
 
-def _seats(
+def _berths(
     file: WorksiteFile, made: Sequence[tuple[Body, tuple[Solid, ...]]], problems: list[Problem]
-) -> tuple[Seat, ...]:
+) -> tuple[Berth, ...]:
     homes = {body.name: (body, solids) for body, solids in made}
-    seats = []
-    for i, seat in enumerate(file.seat):
+    berths = []
+    for i, berth in enumerate(file.seat):
         try:
-            seats.append(seat_of(seat, *homes[seat.body]))
+            berths.append(berth.berth(*homes[berth.body]))
         except ValueError as error:
-            problems.append(Problem(("seat", i, "position"), f"seat {seat.name}: {error}"))
-    return tuple(seats)
+            problems.append(Problem(("seat", i, "position"), f"seat {berth.name}: {error}"))
+    return tuple(berths)
 
 
-def _cargoes(
-    file: WorksiteFile, seats: Sequence[Seat], cameras: Mapping[str, Housed], problems: list[Problem]
-) -> dict[int, Cargo]:
+def _payloads(
+    file: WorksiteFile, berths: Sequence[Berth], cameras: Mapping[str, Housed], problems: list[Problem]
+) -> dict[int, Payload]:
     """Return the valid payloads by their index in the file, and add a problem for each invalid payload.
 
     `cameras` has the housings of the cameras on each payload.
     """
-    by_name = {seat.name: seat for seat in seats}
-    cargoes = {}
-    for i, cargo in enumerate(file.cargo):
+    by_name = {berth.name: berth for berth in berths}
+    payloads = {}
+    for i, payload in enumerate(file.cargo):
         try:
-            made = cargo_of(cargo, by_name)
+            made = payload_of(payload, by_name)
         except ValueError as error:
-            problems.append(Problem(("cargo", i), f"cargo {cargo.name}: {error}"))
+            problems.append(Problem(("cargo", i), f"cargo {payload.name}: {error}"))
             continue
-        if own := cameras.get(cargo.name):
+        if own := cameras.get(payload.name):
             made = msgspec.structs.replace(
-                made, shapes=(*made.shapes, *own.shapes), solids=(*made.solids, *own.as_solids(cargo.name))
+                made, shapes=(*made.shapes, *own.shapes), solids=(*made.solids, *own.as_solids(payload.name))
             )
-        cargoes[i] = made
-    return cargoes
+        payloads[i] = made
+    return payloads
 
 
 def _cameras(file: WorksiteFile, problems: list[Problem]) -> dict[int, Camera]:
@@ -288,19 +285,6 @@ def _named(name: str, parts: Collection[str]) -> tuple[str, ...]:
         return tuple(part for part in parts if part.endswith(f" {name}"))
     sides = tuple(part for part in (f"{name} port", f"{name} starboard") if part in parts)
     return (name,) if name in parts else sides or (name,)
-
-
-def _acquisition(file: BarFile | SnareFile | None) -> BarAcquisition | SnareCapture | None:
-    match file:
-        case BarFile():
-            return BarAcquisition(
-                *map(float, (file.prong_spacing, file.window, file.front, file.rear, file.fingers_within))
-            )
-        case SnareFile():
-            envelope = (file.radial, file.nearest, file.farthest, file.pitch, file.yaw, file.roll)
-            return SnareCapture(*map(float, (*envelope, file.ring, file.carriage, file.tension)))
-        case None:
-            return None
 
 
 def _bay(file: BayFile) -> Bay:

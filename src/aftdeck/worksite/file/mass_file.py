@@ -10,7 +10,7 @@ from aftdeck.arrays import Array
 from aftdeck.bodies.mass_properties import impossible, tensor
 from aftdeck.bounds import Bounds
 from aftdeck.units import MomentOfInertia
-from aftdeck.worksite.file.tables import Point, Table
+from aftdeck.worksite.tables import Point, Table
 
 _Moment = Annotated[MomentOfInertia, Bounds(1e-9, 1e10, "the ISS has about 1e8 kg m2")]
 _Product = Annotated[MomentOfInertia, Bounds(-1e10, 1e10, "the ISS has moments of about 1e8 kg m2")]

@@ -1,8 +1,8 @@
 """Schema of a worksite's file, which contains every dimension of the worksite.
 
 Positions are in the axes of the body to which a table belongs. The first body's axes are those of the scene: x aft,
-y starboard, z up. `source` gives the source of a table's numbers, or ``assumed``. The modules `solids`, `seats`,
-`cargo` and `check` check the rules that types cannot express.
+y starboard, z up. `source` gives the source of a table's numbers, or ``assumed``. The modules `solids`,
+`payload` and `check` check the rules that types cannot express.
 """
 
 from __future__ import annotations
@@ -14,20 +14,15 @@ import msgspec
 from aftdeck.bodies.camera_file import CameraFile, DriveFile
 from aftdeck.bodies.mass_properties import impossible, tensor
 from aftdeck.bounds import Bounds
-from aftdeck.shapes import Material, Shape, without_lamps
+from aftdeck.shapes import Shape, without_lamps
 from aftdeck.units import Angle, AngularRate, Length, Mass, MomentOfInertia, Speed, Time, Torque
+from aftdeck.worksite.berths.kinds import BerthFile
+from aftdeck.worksite.capture.kinds import CaptureFile
 from aftdeck.worksite.file.cargo_file import CargoFile
 from aftdeck.worksite.file.solid_file import SolidFile
-from aftdeck.worksite.file.tables import Placed, Point, Range, Table, Text, ordered, positive
-from aftdeck.worksite.model import OrbiterMotion, Relation
-
-FITTING_OF: dict[Relation, str] = {
-    "acquisition": "receptacle",
-    "docking": "probe",
-    "guides": "trunnions",
-    "capture": "grapple fixture",
-}
-"""For each `Relation`, the payload's fitting to which this relation applies."""
+from aftdeck.worksite.model import OrbiterMotion
+from aftdeck.worksite.relation import FITTING_OF, Relation
+from aftdeck.worksite.tables import Placed, Point, Range, Table, Text, ordered, positive
 
 
 class BodyFile(Placed, frozen=True, kw_only=True):
@@ -45,127 +40,6 @@ class BodyFile(Placed, frozen=True, kw_only=True):
     def __post_init__(self) -> None:
         """Reject a lamp among the details (ValueError)."""
         without_lamps(self.details)
-
-
-class _SeatFile(Placed, frozen=True, kw_only=True, tag_field="kind"):
-    """A berth, where a payload can be fixed to a body."""
-
-    name: Text
-    title: Text
-    body: Text
-    latch: Literal["auto", "command"]
-    """Event at which a bay berth fixes a payload that meets the conditions. ``auto``: the end effector releases the
-    payload. ``command``: a command is given. A port fixes a payload as soon as the conditions hold, without a
-    command."""
-    time: Time = Time(0.0)
-    """Time that the latches take to close or to release."""
-    distance: Length
-    """Greatest distance from its seated position at which a payload can be latched."""
-    angle: Angle
-    """Greatest rotation from its seated attitude at which a payload can be latched."""
-    source: Text
-
-    def __post_init__(self) -> None:
-        """Reject tolerances that are not above zero, and a negative time (ValueError)."""
-        positive(distance=self.distance, angle=self.angle)
-        if self.time < 0.0:
-            raise ValueError(f"time is {self.time:g} s; it cannot be below 0")
-
-
-class PortFile(_SeatFile, frozen=True, kw_only=True, tag="port"):
-    """A docking port.
-
-    Its centre is on a face of a solid. Its axes equal the axes of a docked payload; x points outwards.
-    """
-
-    radius: Length
-    """Radius of the disc that marks the port."""
-    material: Material
-
-    def __post_init__(self) -> None:
-        """Reject tolerances and a radius that are not above zero, and a negative time (ValueError)."""
-        super().__post_init__()
-        positive(radius=self.radius)
-
-
-class GuidesFile(Table, frozen=True, kw_only=True):
-    """V-shaped guides over each longeron latch."""
-
-    height: Length
-    """Height of the guides' upper ends above the stowed trunnion."""
-    half_angle: Angle
-    """Angle between the vertical and each side of the V."""
-    throat: Length
-    """Half the width of the V at the height of the stowed trunnion, minus the trunnion's radius."""
-    play: Length
-    """Greatest offset of a trunnion along its own axis, in either direction."""
-
-    def __post_init__(self) -> None:
-        """Reject values that are not above zero (ValueError)."""
-        positive(height=self.height, half_angle=self.half_angle, throat=self.throat, play=self.play)
-
-
-class RetentionFile(_SeatFile, frozen=True, kw_only=True, tag="retention"):
-    """A berth in the bay. Its position and rotation equal those of a payload that is fixed in the berth."""
-
-    guides: GuidesFile | None = None
-    """V-guides. A berth with V-guides holds only payloads that have trunnions."""
-
-
-SeatFile = PortFile | RetentionFile
-
-
-class BarFile(Table, frozen=True, kw_only=True, tag_field="kind", tag="bar"):
-    """Conditions for the concept's end effector to acquire a bar; the report's names are in brackets."""
-
-    prong_spacing: Length
-    """Greatest distance of the prong's inner face from the palm's centre line at which the prong counts as closed
-    (PRGSPC)."""
-    window: Length
-    """Greatest height of the palm above the bar's top (TOPB)."""
-    front: Length
-    """Least distance of the palm's centre from the bar's forward end, inwards along the bar (FRONT)."""
-    rear: Length
-    """Least distance of the palm's centre from the bar's aft end, inwards along the bar (REAR)."""
-    fingers_within: Length
-    """Greatest distance between palm and bar at which conditions 2 and 3 (bar beside the fingers) are tested. At a
-    greater distance, both conditions fail."""
-    source: Text
-
-    def __post_init__(self) -> None:
-        """Reject a `prong_spacing`, `window` or `fingers_within` that is not above zero (ValueError)."""
-        positive(prong_spacing=self.prong_spacing, window=self.window, fingers_within=self.fingers_within)
-
-
-class SnareFile(Table, frozen=True, kw_only=True, tag_field="kind", tag="snare"):
-    """Capture envelope of the Shuttle's end effector for a grapple fixture, and the durations of its motions."""
-
-    radial: Length
-    """Greatest distance of the fixture from the end effector's axis."""
-    nearest: Length
-    """Least coordinate of the fixture along the end effector's axis: 0 in the rigid position, positive outwards."""
-    farthest: Length
-    """Greatest coordinate of the fixture along the end effector's axis, with the same origin and sign as `nearest`."""
-    pitch: Angle
-    """Greatest pitch of the fixture in either direction."""
-    yaw: Angle
-    """Greatest yaw of the fixture in either direction."""
-    roll: Angle
-    """Greatest roll of the fixture in either direction."""
-    ring: Time
-    """Time to close or open the snares."""
-    carriage: Time
-    """Time to retract or extend the carriage."""
-    tension: Time
-    """Time to rigidize or derigidize."""
-    source: Text
-
-    def __post_init__(self) -> None:
-        """Reject values that are not above zero, and a `nearest` that is not less than `farthest` (ValueError)."""
-        positive(radial=self.radial, pitch=self.pitch, yaw=self.yaw, roll=self.roll)
-        positive(ring=self.ring, carriage=self.carriage, tension=self.tension)
-        if not self.nearest < self.farthest:
-            raise ValueError(f"nearest is {self.nearest:g} m and farthest {self.farthest:g} m; nearest has to be less")
 
 
 class EssentialFile(Table, frozen=True, kw_only=True):
@@ -298,7 +172,7 @@ class WorksiteFile(Table, frozen=True, kw_only=True):
     origin: Point
     """Structural Xo, Yo, Zo of the scene's origin."""
     body: tuple[BodyFile, ...]
-    seat: tuple[SeatFile, ...] = ()
+    seat: tuple[BerthFile, ...] = ()
     cargo: tuple[CargoFile, ...] = ()
     camera: tuple[CameraFile, ...] = ()
     drive: tuple[DriveFile, ...] = ()
@@ -306,7 +180,7 @@ class WorksiteFile(Table, frozen=True, kw_only=True):
     camera_clearance: Length = Length(0.0)
     """Least distance of a camera from every solid."""
     essential: tuple[EssentialFile, ...] = ()
-    acquisition: BarFile | SnareFile | None = None
+    acquisition: CaptureFile | None = None
     bay: BayFile | None = None
     translation: TranslationFile | None = None
     orbiter: OrbiterFile | None = None

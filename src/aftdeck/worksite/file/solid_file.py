@@ -9,7 +9,7 @@ from aftdeck.bodies.cover import FEWEST_WALLS, SIDES
 from aftdeck.bounds import Bounds
 from aftdeck.shapes import Axis, Material
 from aftdeck.units import Angle, Length
-from aftdeck.worksite.file.tables import Placed, Point, Range, Text
+from aftdeck.worksite.tables import Placed, Point, Range, Text
 
 Corner = tuple[Length, Length]
 

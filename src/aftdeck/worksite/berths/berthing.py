@@ -61,7 +61,7 @@ class Guide(msgspec.Struct, frozen=True):
     """Greatest offset of the trunnion along its own axis, in either direction [m]; assumed."""
 
 
-class SeatTolerances(msgspec.Struct, frozen=True):
+class BerthTolerances(msgspec.Struct, frozen=True):
     """Greatest deviations from the stowed pose at which a payload is ready to latch, or stays in its berth."""
 
     distance: float
@@ -259,7 +259,7 @@ def ready_to_latch(
     found: Array,
     left: Array,
     guides: Guides,
-    tolerances: SeatTolerances,
+    tolerances: BerthTolerances,
     failed: Set[str] = frozenset(),
 ) -> tuple[Condition, ...]:
     """Return the conditions of latching: one for each latch, and one for the payload's attitude.
@@ -287,7 +287,7 @@ def ready_to_latch(
 
 
 def switches(
-    found: Array, guides: Guides, tolerances: SeatTolerances, failed: Set[str] = frozenset()
+    found: Array, guides: Guides, tolerances: BerthTolerances, failed: Set[str] = frozenset()
 ) -> tuple[tuple[bool, bool], ...]:
     """Return for each latch whether its switches A and B show ready-for-latch, as on DISP 97.
 
@@ -302,7 +302,7 @@ def switches(
     )
 
 
-def retained(left: Array, tolerances: SeatTolerances) -> tuple[Condition, ...]:
+def retained(left: Array, tolerances: BerthTolerances) -> tuple[Condition, ...]:
     """Return the conditions under which a payload that is released in a bay berth stays in the berth.
 
     Args:
@@ -316,7 +316,7 @@ def retained(left: Array, tolerances: SeatTolerances) -> tuple[Condition, ...]:
     )
 
 
-def _turn(left: Array, tolerances: SeatTolerances) -> Condition:
+def _turn(left: Array, tolerances: BerthTolerances) -> Condition:
     angle = angle_between(rows(left, 3), _STOWED)
     return within("payload's attitude", angle, -inf, tolerances.angle, "rad", _TURN_SAYS)
 

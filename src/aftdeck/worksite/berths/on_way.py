@@ -12,7 +12,7 @@ from aftdeck.bodies.pose import POSE, compose, relative, turned
 from aftdeck.bodies.vector import Vector, dot, minus, plus, put_vector, times, vector_at
 from aftdeck.elementary import atan2
 from aftdeck.law import law
-from aftdeck.worksite.seats.docking import BEFORE, DISTANCE, FOUND, INSIDE, approach
+from aftdeck.worksite.berths.docking import BEFORE, DISTANCE, FOUND, INSIDE, approach
 
 
 class OnWay(NamedTuple):

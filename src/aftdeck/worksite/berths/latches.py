@@ -39,6 +39,9 @@ class Latches(msgspec.Struct, frozen=True):
         return 1.0 - self.drawn
 
 
+OPEN, SHUT = Latches(), Latches(1.0, 1.0)
+
+
 class Moved(NamedTuple):
     """Result of a step."""
 
@@ -58,7 +61,7 @@ def advance(
 
     Args:
         latches: the state before the step.
-        time: time from released to latched [s]; 30 s with two motors, 60 s with one [F].
+        time: time from released to latched [s]; 30 s with two motors, 60 s with one [F]; 0 if they close at once.
         command: command of this step; "" for none. A motion continues to its end without further commands, unless the
             opposite command stops it.
         dt: the step's length [s].
@@ -75,7 +78,7 @@ def advance(
         return Moved(latches, tuple(lines))
     target = 1.0 if latches.motion == "latch" else 0.0
     remaining = target - latches.closed
-    travel = dt / time
+    travel = dt / time if time > 0.0 else 1.0
     if abs(remaining) > travel + _NO_TRAVEL:
         closed = latches.closed + (travel if remaining > 0.0 else -travel)
         return Moved(_put(latches, closed), tuple(lines))

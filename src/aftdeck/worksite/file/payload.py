@@ -18,13 +18,18 @@ from aftdeck.errors import InputError
 from aftdeck.frames import Pose, endori
 from aftdeck.shapes import Box, Cylinder, Group, Material, Ring, Shape, Sphere
 from aftdeck.tuples import Vec3, plain_vector
-from aftdeck.worksite.file.cargo_file import CargoFile, GrappleFile, PrismBody, ReceptacleFile, StartFile, TrunnionsFile
+from aftdeck.worksite.berths.berth import Berth
+from aftdeck.worksite.file.cargo_file import (
+    CargoFile,
+    GrappleFile,
+    PrismBody,
+    ReceptacleFile,
+    StartFile,
+    TrunnionsFile,
+)
 from aftdeck.worksite.file.solids import CORNERS, as_solids, checked, drawn, moved
-from aftdeck.worksite.model import Cargo, LimitCycle, Seat, Start
+from aftdeck.worksite.payload import LimitCycle, Payload, Start, part_of
 
-FITTINGS = ("probe", "receptacle", "grapple fixture", "trunnions")
-"""Fittings that a payload may have besides its body. Each fitting is a part. The part's name consists of the payload's
-name and the fitting's name."""
 _UPWARDS = pi / 2
 """Angle of the middle of a prism's first side, from y towards z [rad]. With this angle, one side is on top and one is
 below."""
@@ -42,7 +47,7 @@ class _Piece(NamedTuple):
     shapes: tuple[Shape, ...]
 
 
-def cargo_of(file: CargoFile, seats: Mapping[str, Seat]) -> Cargo:
+def payload_of(file: CargoFile, berths: Mapping[str, Berth]) -> Payload:
     """Return the payload that a file describes, with its start.
 
     Raises:
@@ -53,7 +58,7 @@ def cargo_of(file: CargoFile, seats: Mapping[str, Seat]) -> Cargo:
     pieces = tuple(_pieces(file))
     bar = next((frozen(piece.bodies[0]) for piece in pieces if piece.fitting == "receptacle"), None)
     probe, trunnions = _probe_tip(file), _latched(file.trunnions)
-    return Cargo(
+    return Payload(
         name=file.name,
         title=file.title,
         mass=float(file.mass),
@@ -70,7 +75,7 @@ def cargo_of(file: CargoFile, seats: Mapping[str, Seat]) -> Cargo:
         grapple=None if file.grapple is None else _pose(file.grapple),
         trunnions=trunnions,
         trunnion_names=() if file.trunnions is None else _names(len(file.trunnions.x)),
-        start=start_of(file.start, seats, probe, trunnions),
+        start=start_of(file.start, berths, probe, trunnions),
         limit_cycle=None
         if file.limit_cycle is None
         else LimitCycle(*map(frozen, (file.limit_cycle.deadband, file.limit_cycle.rate, file.limit_cycle.start))),
@@ -86,11 +91,6 @@ def _inertia(file: CargoFile) -> Array:
     if isinstance(body, PrismBody):
         return uniform_prism(mass, float(body.across), body.sides, -end, end).inertia
     return cylinder(mass, float(body.radius), -end, end).inertia
-
-
-def part_of(cargo: str, fitting: str) -> str:
-    """Return the name of a part of a payload; the body has the name of the payload."""
-    return f"{cargo} {fitting}" if fitting else cargo
 
 
 def _pieces(file: CargoFile) -> Iterator[_Piece]:
@@ -265,26 +265,26 @@ def _probe_tip(file: CargoFile) -> Pose | None:
     return Pose(frozen([-file.body.length / 2.0 - file.probe.length, 0.0, 0.0]), frozen(np.eye(3)))
 
 
-def start_of(file: StartFile, seats: Mapping[str, Seat], probe: Pose | None, trunnions: Array) -> Start:
+def start_of(file: StartFile, berths: Mapping[str, Berth], probe: Pose | None, trunnions: Array) -> Start:
     """Return the start of a payload.
 
     Args:
         file: the payload's table ``start``.
-        seats: the worksite's berths by name.
-        probe: `Cargo.probe` of the payload.
-        trunnions: `Cargo.trunnions` of the payload.
+        berths: the worksite's berths by name.
+        probe: `Payload.probe` of the payload.
+        trunnions: `Payload.trunnions` of the payload.
 
     Raises:
         ValueError: the berth does not exist, or needs a fitting that the payload does not have.
     """
     if file.seat is None:
         return Start("", _pose(file), frozen(file.velocity), frozen(file.rates))
-    seat = seats.get(file.seat)
-    if seat is None:
-        raise ValueError(f"start.seat: {file.seat!r} is not a seat; seats are: {', '.join(seats) or 'none'}")
-    if lacking := seat.lacks(probe, trunnions):
+    berth = berths.get(file.seat)
+    if berth is None:
+        raise ValueError(f"start.seat: {file.seat!r} is not a seat; seats are: {', '.join(berths) or 'none'}")
+    if lacking := berth.lacks(probe, trunnions):
         raise ValueError(f"start.seat: {file.seat!r} holds a payload by its {lacking}; this cargo has no {lacking}")
-    return Start(seat.name, seat.seated(probe), frozen(np.zeros(3)), frozen(np.zeros(3)))
+    return Start(berth.name, berth.seated(probe), frozen(np.zeros(3)), frozen(np.zeros(3)))
 
 
 def _pose(placed: GrappleFile | StartFile) -> Pose:
