@@ -16,6 +16,7 @@ from aftdeck.arms.masses import masses_of
 from aftdeck.arms.solids import solids_of
 from aftdeck.errors import ScenarioError
 from aftdeck.files import Text, read
+from aftdeck.kinematics.arm import Arm
 
 FOOT = 0.3048
 TEXT = (HERE / "concept-1972.toml").read_text(encoding="utf-8")
@@ -116,8 +117,11 @@ def test_parts_fit_together() -> None:
         ("axes = [-3, 2, 1]", "axes = [-3, 3, 1]", r"bodies\[8\]: .*numbers 1, 2 and 3"),
         ("axes = [-3, 2, 1]", "axes = [-4, 2, 1]", r"bodies\[8\]\.axes\[0\]"),
         ('frame = "arm.prong"', 'frame = "arm.finger"', r"bodies\[10\]\.frame: .*arm\.prong"),
-        ('boom = "25 ft"', 'boom = "0 ft"', "only an arm with a closed form can have a telescope"),
-        ("axis = [0, 1, 0]", "axis = [0, 1, 0.1]", "only an arm with a closed form can have a telescope"),
+        (
+            'label = "Sho pitch"\nkind = "turn"\nstep = [0.0, 0.0, 0.0]',
+            'label = "Sho pitch"\nkind = "turn"\nstep = [0.0, 0.0, "-1 ft"]',
+            r"joint\[0\]: .*telescope's end",
+        ),
         ("axis = [0, 0, -1]", "axis = [0, 0, 1]", r"joint\[0\]: a telescope is the first joint"),
         ('driver = "prong"', 'driver = "telescope"', r"joint\[7\]\.driver: .*already"),
         ('driver = "prong"', 'driver = "wheel"', r"joint\[7\]\.driver: .*telescope, prong"),
@@ -142,3 +146,16 @@ def test_dimension_changes_every_length_that_depends_on_it() -> None:
         if "boom" in solid.part:
             assert solid.vertices[:, 0].max() == pytest.approx(25 * FOOT)
     assert masses_of(model).bodies["arm.elbow_pitch"].centre == pytest.approx([13 * FOOT, 0.0, 0.0])
+
+
+def test_telescope_carries_an_arm_without_a_closed_form_too() -> None:
+    text = TEXT.replace('stick = "THC Z"', 'stick = "THC Z"\nweight = 2.0')
+    other = Arm(model_of(Text("other.toml", text), lambda name: read(HERE / name)))
+    arm, rng = aftdeck.load_arm("concept-1972"), np.random.default_rng(8)
+    assert arm.closed_form and not other.closed_form
+    for stand in (9.5 * FOOT, 12 * FOOT, 18 * FOOT):
+        q = rng.uniform(*arm.limits.soft.T)
+        one, two = arm.at(stand=stand).forward(q), other.at(stand=stand).forward(q)
+        assert two.position == pytest.approx(one.position, abs=1e-12)
+        assert two.rotation == pytest.approx(one.rotation, abs=1e-12)
+        assert other.at(stand=stand).stand == stand

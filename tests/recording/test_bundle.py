@@ -109,6 +109,21 @@ def test_rerun_exchanges_concept_arm_and_shuttle_arm(tmp_path: Path) -> None:
     assert rerun(out, ("arm=concept-1972",)).frames_sha256 == summary.frames_sha256
 
 
+@pytest.mark.parametrize("name", ["srms", "concept-1972"])
+def test_recording_with_an_arm_file_of_0_2_has_the_frames_of_today_s_arm(tmp_path: Path, name: str) -> None:
+    old = Path(__file__).parents[1] / "arms" / f"{name}-0.2.toml"
+    (tmp_path / "arm.toml").write_text(old.read_text())
+    (tmp_path / "srms.shapes.toml").write_text((ARMS / "srms.shapes.toml").read_text())  # it has the arm's cameras
+    summaries = []
+    for arm in (name, "arm.toml"):
+        (tmp_path / "one.toml").write_text(SCENARIO.format(arm=arm, worksite="orbiter"))
+        summaries.append(record(tmp_path / "one.toml", tmp_path / f"{arm}.mcap").summary)
+    assert summaries[0].frames_sha256 == summaries[1].frames_sha256
+    (tmp_path / "arm.toml").unlink()
+    assert verify(tmp_path / "arm.toml.mcap").equal
+    assert 'family = "' in Recording(tmp_path / "arm.toml.mcap").opening.arm_text
+
+
 @pytest.mark.parametrize("name", ["../" * 20 + "etc/looks.toml", "/etc/looks.toml"])
 def test_shapes_file_outside_the_recording_is_rejected(tmp_path: Path, name: str) -> None:
     start = opening(aftdeck.load_scenario("uncradle"), 0, 0)

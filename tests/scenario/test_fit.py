@@ -229,7 +229,9 @@ def test_inconsistent_worksite_is_rejected(tmp_path: Path, old: str, new: str, n
 
 def test_telescope_that_retracts_into_the_cabin_is_rejected(tmp_path: Path) -> None:
     arm = (Path(aftdeck.__file__).parent / "arms" / "concept-1972.toml").read_text(encoding="utf-8")
-    arm = arm.replace('least = "9.5 ft"', 'least = "8 ft"').replace('shapes = "concept-1972.shapes.toml"', "")
+    arm = arm.replace('telescope_least = "9.5 ft"', 'telescope_least = "8 ft"').replace(
+        'shapes = "concept-1972.shapes.toml"', ""
+    )
     (tmp_path / "arm.toml").write_text(arm, encoding="utf-8")
     with pytest.raises(ScenarioError, match=r"telescope .*2\.8 ft .*cabin"):
         parse_scenario(CONCEPT.replace('arm = "concept-1972"', 'arm = "arm.toml"'), "t", "t.toml", tmp_path)

@@ -6,7 +6,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from aftdeck.arms.chain import packed_chain
+from aftdeck.arms.chain import PLACE, packed_chain
+from aftdeck.arms.joints import Slide
 from aftdeck.arms.model import ArmFile
 from aftdeck.arms.rank import Joint
 from aftdeck.arrays import Array
@@ -16,6 +17,8 @@ from aftdeck.matrices import length
 AXES = np.eye(3)
 HEADING_PITCH_ROLL, PITCH_YAW_ROLL, GENERAL = 0.0, 1.0, 2.0
 """Kinds of wrist, the last of the eight links; `GENERAL`: any other chain, which has no closed form."""
+CLOSED = 8
+"""Number of links of a closed form; the packed chain of any other arm begins there."""
 NAMED = ("shoulder", "elbow", "wrist")
 """Singularities of the arms that have a closed form."""
 
@@ -24,7 +27,7 @@ FOOT = "arm.base"
 _WRISTS = {PITCH_YAW_ROLL: (2, 1, 1, 1, 2, 0), HEADING_PITCH_ROLL: (2, 1, 1, 2, 1, 0)}
 """Numbers of the joints' axes, from the foot to the tip, by the kind of wrist of a closed form."""
 _FREE = np.array(
-    [[0, 0, 0], [0, 0, 1], [1, 0, 1], [1, 0, 1], [1, 0, 0], [0, 0, 0], [1, 0, 0]],
+    [[0, 0, 1], [0, 0, 1], [1, 0, 1], [1, 0, 1], [1, 0, 0], [0, 0, 0], [1, 0, 0]],
     dtype=np.bool_,
 )
 """Components that can differ from 0 in a chain with a closed form: of the steps to its six joints, and of its tip."""
@@ -68,21 +71,21 @@ class Linkage(NamedTuple):
 def linkage_of(file: ArmFile) -> Linkage:
     """Return the linkage that a file describes, with a closed form if the chain of its joints has one.
 
-    The array of any other chain begins as that of a closed form, whose lengths it does not have.
+    The array of any other chain begins as that of a closed form; it has only the height of a telescope.
     """
     turns, tip = file.turns, frozen(file.tip.value)
     axes = frozen([frozen(turn.axis) / length(turn.axis) for turn in turns])
     steps = np.array([turn.step for turn in turns], dtype=np.float64)
-    for slide in file.slides:
-        if slide is file.joint[0]:  # a telescope: the first joint, which turns about its axis, stays at its foot
-            steps[min(1, len(steps) - 1), 2] -= slide.start.value
+    first = file.joint[0]
+    height = float(first.start.value) if isinstance(first, Slide) else 0.0  # of a telescope
+    steps[0, 2] -= height
     links = closed_form(steps, axes, tip) if all(turn.weight == 1.0 for turn in turns) else None
     if links is None:
         joints = tuple(
             Joint(frozen(step), axis, False, turn.weight, turn.hard)
             for step, axis, turn in zip(steps, axes, turns, strict=True)
         )
-        links = np.concatenate([[0.0] * 7, [GENERAL], packed_chain(joints, tip, file.turning)])
+        links = np.concatenate([[height], [0.0] * 6, [GENERAL], packed_chain(joints, tip, file.turning)])
     return Linkage(
         frozen(links),
         frozen(steps),
@@ -98,7 +101,7 @@ def linkage_of(file: ArmFile) -> Linkage:
 def closed_form(steps: Array, axes: Array, tip: Array) -> Array | None:
     """Return what the laws of a closed form need, as `Linkage.links`; None if they cannot serve this chain.
 
-    They serve a yaw (or heading) at L's origin and two pitches, whose links lie in one plane; then a wrist with pitch,
+    They serve a yaw (or heading) on L's axis 3 and two pitches, whose links lie in one plane; then a wrist with pitch,
     yaw and roll, or one with heading, pitch and roll whose axes meet in one point.
 
     Args:
@@ -109,7 +112,7 @@ def closed_form(steps: Array, axes: Array, tip: Array) -> Array | None:
     wrist = next((kind for kind, numbers in _WRISTS.items() if np.array_equal(axes, AXES[list(numbers)])), None)
     if wrist is None or np.any(np.vstack([steps, tip])[~_FREE]):
         return None
-    height, wrist_link, hand = -steps[1, 2], steps[4, 0], tip[0]
+    height, wrist_link, hand = -(steps[0, 2] + steps[1, 2]), steps[4, 0], tip[0]
     (along2, _, drop2), (along3, _, drop3) = steps[2].tolist(), steps[3].tolist()
     if min(height, wrist_link, hand) < 0.0 or min(along2, along3) <= 0.0:
         return None
@@ -121,9 +124,11 @@ def closed_form(steps: Array, axes: Array, tip: Array) -> Array | None:
 
 
 def raised(linkage: Linkage, height: float) -> Linkage:
-    """Return the linkage with the shoulder pitch joint at the given height above L's origin [m]."""
+    """Return the linkage with its first joint, which a telescope carries, at a height above L's origin [m]."""
     links, steps = linkage.links.copy(), linkage.steps.copy()
-    links[0], steps[1, 2] = height, -height
+    links[0], steps[0, 2] = height, -height
+    if links[7] == GENERAL:
+        links[CLOSED + PLACE + 2] = -height
     return linkage._replace(links=frozen(links), steps=frozen(steps))
 
 

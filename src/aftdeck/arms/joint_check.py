@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from aftdeck.arms.chain import chain_length
-from aftdeck.arms.geometry import FOOT, GENERAL, linkage_of
+from aftdeck.arms.geometry import FOOT, linkage_of
 from aftdeck.arms.joints import JointFile, SourcesFile
 from aftdeck.arms.limits import limit_problems, limits_of, rates_of
 from aftdeck.arms.link_file import BodyLink, LinkFile
@@ -82,8 +82,8 @@ def _slide_problems(file: ArmFile) -> Iterator[Problem]:
             yield Problem((*where, "driver"), f"the {slide.driver} switch already drives another joint")
         if slide.driver == TELESCOPE and (where[1] != 0 or along != (0.0, 0.0, -1.0) or any(slide.step)):
             yield Problem(where, "a telescope is the first joint, at L's origin, with the axis 0, 0, -1")
-        if slide.driver == TELESCOPE and linkage_of(file).links[7] == GENERAL:
-            yield Problem(where, "only an arm with a closed form can have a telescope (docs/architecture.md)")
+        if slide.driver == TELESCOPE and (any(file.turns[0].step) or linkage_of(file).links[0] != slide.start.value):
+            yield Problem(where, "the first joint is at the telescope's end; with a closed form, so is the second")
         if slide.driver == PRONG and (carrier != last or along != (0.0, 1.0, 0.0) or any(slide.step)):
             yield Problem(where, f"a prong is on the last joint that turns, {last}, with the axis 0, 1, 0 and no step")
         least, start, greatest = slide.least.value, slide.start.value, slide.greatest.value

@@ -45,7 +45,7 @@ def frames_of(model: ArmModel) -> Frames:
         named = np.flatnonzero((row[DIRECTION:SLIDES] == np.eye(3)).all(axis=1))
         row[AXIS] = 0.0 if row[SLIDES] or not len(named) else 1.0 + named[0]
     if model.telescope is not None:
-        joints[1, RAISED] = 1.0
+        joints[0, RAISED] = 1.0
     return Frames(model.frames, frozen(joints))
 
 

@@ -108,8 +108,6 @@ class View:
         poses_in_base(self._orbiter, self._frames, self._xpos, self._xmat, base, frames)
         if self.flexures:
             bends_of(self._frames, self._carriers, self._beyond, self._xpos, self._xmat, self._own, self._ends, bends)
-        if self._telescope >= 0:  # the frame of the first joint does not rise with the telescope
-            frames[1, :3] = 0.0
 
 
 def _switched(model: Any, joint: SwitchedJoint | None) -> tuple[int, int]:

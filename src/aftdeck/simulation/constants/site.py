@@ -299,7 +299,8 @@ def _unfoldable_pairs(model: ArmModel, own: tuple[Solid, ...]) -> set[PartPair]:
     The two parts of such a pair are at the two ends of a short link or of a ball wrist.
     """
     links, names, ball = lengths(model.linkage.steps), model.linkage.frames, _ball(model)
-    ends = {(names[k], names[k + 2]) for k in range(len(links) - 1) if links[k + 1] < SHORT}
+    first = 0 if model.telescope is None else 1  # a telescope carries the first joint away from the base
+    ends = {(names[k], names[k + 2]) for k in range(first, len(links) - 1) if links[k + 1] < SHORT}
     if ball:
         before = names[names.index(ball[0]) - 1]
         ends |= {
