@@ -195,6 +195,60 @@ class Time(Quantity):
     bounds = Bounds(0.0, 86_400.0, "a run lasts a day at most")
 
 
+class OfJoint(Quantity):
+    """Quantity of a joint: with an angle if the joint turns, with a length if it slides."""
+
+    kinds: ClassVar[tuple[type[Quantity], type[Quantity]]]
+    """The quantity of a joint that turns, and that of one that slides."""
+    slides: bool | None = None
+    """Whether the file's unit is that of a joint that slides; None for a bare number."""
+
+    @classmethod
+    def read(cls, given: object) -> Quantity:
+        """Return the quantity that a file gives; arguments and errors as for `Quantity.read`."""
+        found = super().read(given)
+        if isinstance(given, str) and isinstance(found, cls):
+            match = _NUMBER_AND_UNIT.fullmatch(given)
+            found.slides = match is not None and _size(match["unit"], cls.kinds[1].unit) is not None
+        return found
+
+    @classmethod
+    def _parse(cls, text: str) -> float:
+        match = _NUMBER_AND_UNIT.fullmatch(text)
+        for kind in cls.kinds:
+            if match and (size := _size(match["unit"], kind.unit)) is not None:
+                return float(match["number"]) * size
+        turning, sliding = cls.kinds
+        raise ValueError(
+            f"{short(text)} is neither {with_article(turning.noun)} nor {with_article(sliding.noun)}; write a number "
+            f"in {cls.unit}, or a number with its unit, such as {turning.example!r} or {sliding.example!r}"
+        )
+
+
+class Coordinate(OfJoint):
+    """Coordinate of a joint: an angle [rad], or a length if it slides [m]."""
+
+    noun, unit, example = "coordinate of a joint", "rad or m", Angle.example
+    kinds = Angle, Length
+    bounds = Bounds(-200.0, 200.0, "ten revolutions are 63 rad, and the longest arms measure 20 m", "")
+
+
+class CoordinateRate(OfJoint):
+    """Rate of a joint: an angular rate [rad/s], or a speed if it slides [m/s]."""
+
+    noun, unit, example = "rate of a joint", "rad/s or m/s", AngularRate.example
+    kinds = AngularRate, Speed
+    bounds = AngularRate.bounds
+
+
+class CoordinateAcceleration(OfJoint):
+    """Acceleration of a joint: an angular acceleration [rad/s2], or an acceleration if it slides [m/s2]."""
+
+    noun, unit, example = "acceleration of a joint", "rad/s/s or m/s/s", AngularAcceleration.example
+    kinds = AngularAcceleration, Acceleration
+    bounds = AngularAcceleration.bounds
+
+
 def _allowed(target: str) -> str:
     """Return a sentence part that lists the units for an SI unit; empty for products, which have too many."""
     unit = size_of(target)

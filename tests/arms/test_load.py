@@ -58,7 +58,7 @@ def test_arrays_of_an_arm_are_read_only() -> None:
 def test_constants_of_a_built_in_arm_have_sources(name: str) -> None:
     """Quantities of joints and links: `test_quantity_without_a_source_is_rejected`."""
     file = aftdeck.load_arm(name).model.source
-    tables = [file.mount, file.servo, file.flexibility, *file.slides]
+    tables = [file.mount, file.servo, file.flexibility, *file.switched]
     constants = [getattr(table, field) for table in tables if table is not None for field in table.__struct_fields__]
     constants += [file.tip, file.singular, file.mass]
     found = [constant for constant in constants if isinstance(constant, Constant)]

@@ -15,7 +15,7 @@ from aftdeck.scenario.poses import joint_angles
 from aftdeck.scenario.problems import Problems
 from aftdeck.scenario.schema import Initial, PorOverride, RatesOverride
 from aftdeck.scenario.starts import start
-from aftdeck.units import Angle, AngularRate
+from aftdeck.units import Coordinate, CoordinateRate
 from tests import loaded
 from tests.joints import NUMBERS, scenario_with_joints, with_joints
 
@@ -27,7 +27,7 @@ NOWHERE = TargetReferences((), None)
 def test_start_has_an_angle_and_a_rate_for_each_joint(joints: int) -> None:
     arm, found = with_joints(loaded.arm(), joints), Problems()
     middle = arm.limits.reach.mean(axis=1)
-    angles, rates = tuple(map(Angle, middle)), tuple(map(AngularRate, 0.5 * arm.rates.servo))
+    angles, rates = tuple(map(Coordinate, middle)), tuple(map(CoordinateRate, 0.5 * arm.rates.servo))
     made = start(found, arm, Initial(joints=angles, rates=rates), NOWHERE, ("initial",))
     assert not found and made is not None
     assert made.angles.tolist() == middle.tolist() and made.rates.tolist() == (0.5 * arm.rates.servo).tolist()
@@ -39,11 +39,11 @@ def test_start_has_an_angle_and_a_rate_for_each_joint(joints: int) -> None:
 def test_another_number_of_values_is_a_problem_at_its_place(joints: int) -> None:
     arm = with_joints(loaded.arm(), joints)
     for given in {*NUMBERS, 0, 6} - {joints}:
-        found, wrong = Problems(), (Angle(0.0),) * given
+        found, wrong = Problems(), (Coordinate(0.0),) * given
         assert joint_angles(found, arm, wrong, ("here",)) is None
-        start(found, arm, Initial(rates=(AngularRate(0.0),) * given, near=wrong), NOWHERE, ("initial",))
+        start(found, arm, Initial(rates=(CoordinateRate(0.0),) * given, near=wrong), NOWHERE, ("initial",))
         phase_limits(
-            found, arm.model, 0.0, PorOverride(), RatesOverride(servo=(AngularRate(0.01),) * given), ("limits",)
+            found, arm.model, 0.0, PorOverride(), RatesOverride(servo=(CoordinateRate(0.01),) * given), ("limits",)
         )
         text = "\n".join(found.sentences("a.toml", ""))
         for place in ("here", "initial.rates", "initial.near", "limits.servo"):
@@ -53,7 +53,7 @@ def test_another_number_of_values_is_a_problem_at_its_place(joints: int) -> None
 @EACH
 def test_limits_of_a_phase_have_a_rate_for_each_joint(joints: int) -> None:
     arm, found = with_joints(loaded.arm(), joints), Problems()
-    given = tuple(map(AngularRate, 0.5 * arm.rates.vernier))
+    given = tuple(map(CoordinateRate, 0.5 * arm.rates.vernier))
     limits = phase_limits(found, arm.model, 0.0, PorOverride(), RatesOverride(vernier=given), ("limits",))
     assert limits is not None and not found
     assert np.array_equal(limits.joints.vernier, 0.5 * arm.rates.vernier)

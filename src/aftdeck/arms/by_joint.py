@@ -1,8 +1,11 @@
-"""Check of a list that has to have one value for each joint of an arm."""
+"""Values of an arm's joints: a check of lists that have one for each joint, and texts with the unit of each joint."""
 
 from __future__ import annotations
 
-from collections.abc import Sequence, Sized
+import math
+from collections.abc import Iterator, Sequence, Sized
+
+from aftdeck.units import OfJoint, with_article
 
 
 def misfit(joints: Sequence[str], given: Sized) -> str:
@@ -10,3 +13,39 @@ def misfit(joints: Sequence[str], given: Sized) -> str:
     if len(given) == len(joints):
         return ""
     return f"expected {len(joints)} values, one for each joint ({', '.join(joints)}); got {len(given)}"
+
+
+def wrong_unit(joint: str, slides: bool, given: object) -> str:
+    """Return why a joint cannot have a value, or a pair of values, from a file; "" if its unit is that of the joint."""
+    for value in given if isinstance(given, tuple) else (given,):
+        if isinstance(value, OfJoint) and value.slides not in (None, slides):
+            turning, sliding = value.kinds
+            needed, got = (sliding, turning) if slides else (turning, sliding)
+            moves = "slides" if slides else "turns"
+            return (
+                f"{joint} {moves}: expected {with_article(needed.noun)}, such as {needed.example!r}, got "
+                f"{with_article(got.noun)}"
+            )
+    return ""
+
+
+def misfits(joints: Sequence[str], slides: Sequence[bool], given: Sequence[object]) -> Iterator[str]:
+    """Yield why a list from a file does not fit an arm with these joints, of which some slide."""
+    if why := misfit(joints, given):
+        yield why
+        return
+    for joint, kind, value in zip(joints, slides, given, strict=True):
+        if why := wrong_unit(joint, kind, value):
+            yield why
+
+
+def shown(value: float, slides: bool) -> str:
+    """Return a joint's coordinate as text: an angle in degrees, or a length in metres."""
+    return f"{value:g} m" if slides else f"{math.degrees(value):g} deg"
+
+
+def scale(slides: bool, degrees: bool = True) -> tuple[float, str]:
+    """Return the factor from the SI unit of a joint's coordinate to the unit that is shown, and this unit."""
+    if slides or not degrees:
+        return 1.0, "m" if slides else "rad"
+    return math.degrees(1.0), "deg"

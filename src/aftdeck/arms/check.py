@@ -49,7 +49,7 @@ def _mass_problems(file: ArmFile) -> Iterator[Problem]:
     """Yield a problem if the published mass is not the sum of the masses that a telescope does not carry alone."""
     if file.mass is None:
         return
-    alone = frame_of(file.slides[0].name) if file.slides and file.slides[0] is file.joint[0] else ""
+    alone = frame_of(file.switched[0].name) if file.switched and file.switched[0] is file.joint[0] else ""
     links = [(FOOT, file.foot), *((frame_of(joint.name), joint.link) for joint in file.joint)]
     masses = [float(link.mass) for frame, link in links if link is not None and frame != alone]
     blocks = [body for body in file.bodies if isinstance(body, BlockBody) and body.frame != alone]

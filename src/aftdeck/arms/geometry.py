@@ -73,17 +73,19 @@ def linkage_of(file: ArmFile) -> Linkage:
 
     The array of any other chain begins as that of a closed form; it has only the height of a telescope.
     """
-    turns, tip = file.turns, frozen(file.tip.value)
+    turns, tip = file.steered, frozen(file.tip.value)
     axes = frozen([frozen(turn.axis) / length(turn.axis) for turn in turns])
     steps = np.array([turn.step for turn in turns], dtype=np.float64)
     first = file.joint[0]
-    height = float(first.start.value) if isinstance(first, Slide) else 0.0  # of a telescope
+    height = first.travel().start if isinstance(first, Slide) and first.driver else 0.0  # of a telescope
     steps[0, 2] -= height
-    links = closed_form(steps, axes, tip) if all(turn.weight == 1.0 for turn in turns) else None
+    hard = frozen([turn.hard for turn in turns]).tolist()
+    closed = not any(file.slides) and all(turn.weight == 1.0 for turn in turns)
+    links = closed_form(steps, axes, tip) if closed else None
     if links is None:
         joints = tuple(
-            Joint(frozen(step), axis, False, turn.weight, turn.hard)
-            for step, axis, turn in zip(steps, axes, turns, strict=True)
+            Joint(frozen(step), axis, slides, turn.weight, (low, high))
+            for step, axis, slides, turn, (low, high) in zip(steps, axes, file.slides, turns, hard, strict=True)
         )
         links = np.concatenate([[height], [0.0] * 6, [GENERAL], packed_chain(joints, tip, file.turning)])
     return Linkage(
@@ -94,7 +96,7 @@ def linkage_of(file: ArmFile) -> Linkage:
         (FOOT, *(frame_of(turn.name) for turn in turns)),
         0.0 if file.end_effector_roll is None else float(file.end_effector_roll.value),
         ("rank",) if links[7] == GENERAL else NAMED,
-        (False,) * len(turns),
+        file.slides,
     )
 
 

@@ -24,8 +24,9 @@ SHORTEST = 1e-3
 
 def joint_problems(file: ArmFile) -> list[Problem]:
     """Return a problem, with its place in the file, for each joint that cannot be."""
-    if not 1 <= len(file.turns) <= MOST_JOINTS:
-        return [Problem(("joint",), f"expected 1 to {MOST_JOINTS} joints that turn, got {len(file.turns)}")]
+    if not 1 <= len(file.steered) <= MOST_JOINTS:
+        what = f"expected 1 to {MOST_JOINTS} joints that steering drives, got {len(file.steered)}"
+        return [Problem(("joint",), what)]
     found = list(_unsourced(file, file.foot, ("foot",), None))
     names = [joint.name for joint in file.joint]
     for i, joint in enumerate(file.joint):
@@ -36,16 +37,16 @@ def joint_problems(file: ArmFile) -> list[Problem]:
         if joint.name in names[:i]:
             what = f"the joints need different names; {joint.name!r} is already the name of another joint"
             found.append(Problem(("joint", i, "name"), what))
-    numbers = [file.joint.index(turn) for turn in file.turns]
-    for limit in limit_problems(file.joints, limits_of(file), rates_of(file)):
+    numbers = [file.joint.index(turn) for turn in file.steered]
+    for limit in limit_problems(file.joints, file.slides, limits_of(file), rates_of(file)):
         found.append(Problem(("joint", numbers[limit.joint], limit.quantity), limit.what))
-    reach = chain_length([turn.step for turn in file.turns], file.tip.value)
+    reach = chain_length([turn.step for turn in file.steered], file.tip.value)
     if reach < SHORTEST:
         what = (
             f"the distances from joint to joint and to the tip are {reach:g} m in all; expected {SHORTEST:g} m or more"
         )
         found.append(Problem(("tip",), what))
-    if not any(turn.weight for turn in file.turns):
+    if not any(turn.weight for turn in file.steered):
         found.append(Problem(("joint",), "every joint has the weight 0, so the sticks would move none"))
     return found or [*_slide_problems(file)]
 
@@ -74,19 +75,21 @@ def _unsourced(file: ArmFile, table: JointFile | LinkFile | None, where: Where, 
 
 def _slide_problems(file: ArmFile) -> Iterator[Problem]:
     """Yield what is wrong with the joints that switches drive; the laws serve one telescope and one prong."""
-    last = file.turns[-1].name
-    for k, slide in enumerate(file.slides):
+    last = file.steered[-1].name
+    for k, slide in enumerate(file.switched):
+        least, greatest, start, _ = slide.travel()
         where: Where = ("joint", file.joint.index(slide))
         carrier, along = carrier_of(file, slide), tuple(map(float, slide.axis))
-        if slide.driver in (other.driver for other in file.slides[:k]):
+        if slide.driver in (other.driver for other in file.switched[:k]):
             yield Problem((*where, "driver"), f"the {slide.driver} switch already drives another joint")
         if slide.driver == TELESCOPE and (where[1] != 0 or along != (0.0, 0.0, -1.0) or any(slide.step)):
             yield Problem(where, "a telescope is the first joint, at L's origin, with the axis 0, 0, -1")
-        if slide.driver == TELESCOPE and (any(file.turns[0].step) or linkage_of(file).links[0] != slide.start.value):
+        if slide.driver == TELESCOPE and (any(file.steered[0].step) or linkage_of(file).links[0] != start):
             yield Problem(where, "the first joint is at the telescope's end; with a closed form, so is the second")
         if slide.driver == PRONG and (carrier != last or along != (0.0, 1.0, 0.0) or any(slide.step)):
-            yield Problem(where, f"a prong is on the last joint that turns, {last}, with the axis 0, 1, 0 and no step")
-        least, start, greatest = slide.least.value, slide.start.value, slide.greatest.value
+            yield Problem(
+                where, f"a prong is on the last joint that steering drives, {last}, with the axis 0, 1, 0 and no step"
+            )
         if not (least <= start <= greatest and least < greatest):
             what = f"expected least <= start <= greatest, got {least:g}, {start:g}, {greatest:g} m"
             yield Problem(where, what)

@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-from typing import Annotated, Literal
+from typing import Annotated, Literal, NamedTuple
 
 import msgspec
 
 from aftdeck.arms.constant import Cited, Confidence, Constant, Part, Text
 from aftdeck.arms.link_file import Distance, LinkFile, Place
 from aftdeck.bounds import DIRECTION, Bounds
-from aftdeck.units import Angle, AngularAcceleration, AngularRate, Force, LinearDamping, Speed
+from aftdeck.units import Acceleration, Angle, AngularAcceleration, AngularRate, Force, LinearDamping, Speed
 
 JointRate = Annotated[
     AngularRate,
@@ -22,6 +22,8 @@ JointAcceleration = Annotated[
 """Limit of a joint's acceleration."""
 SlideSpeed = Annotated[Speed, Bounds(1e-6, 10.0, "the concept arm's telescope moves at 0.3 m/s")]
 """Speed of a joint that slides."""
+SlideAcceleration = Annotated[Acceleration, Bounds(1e-6, 100.0, "a slide reaches its speed in 0.1 s to minutes")]
+"""Limit of the acceleration of a joint that slides."""
 DriveForce = Annotated[Force, Bounds(1e-3, 1e6, "a telescope that moves 7 t by 1 ft/s within 1 s needs 2,000 N")]
 DriveGain = Annotated[LinearDamping, Bounds(1e-3, 1e9, "a telescope's servo has about 1e4 N s/m")]
 Component = Annotated[float, DIRECTION]
@@ -48,13 +50,18 @@ class _JointFile(Part, frozen=True, kw_only=True, tag_field="kind"):
     confidence: Confidence | None = None
 
 
-class Turn(_JointFile, frozen=True, kw_only=True, tag="turn"):
-    """Joint that turns about its axis; steering drives it."""
+class _Moving(_JointFile, frozen=True, kw_only=True):
+    """Fields of a joint that steering can drive."""
 
     weight: Weight = 1.0
     """Weight of the joint where several can make the same motion: twice the weight, twice the share; 0 for no share."""
     stick: StickAxis | None = None
     """Axis of the hand controllers that moves this joint of the master arm, for operators without a device for it."""
+
+
+class Turn(_Moving, frozen=True, kw_only=True, tag="turn"):
+    """Joint that turns about its axis; steering drives it."""
+
     hard: tuple[Angle, Angle]
     """Mechanical stops."""
     soft: tuple[Angle, Angle]
@@ -69,20 +76,39 @@ class Turn(_JointFile, frozen=True, kw_only=True, tag="turn"):
     """Greatest acceleration, in modes 1 to 7."""
 
 
-class Slide(_JointFile, frozen=True, kw_only=True, tag="slide"):
-    """Joint that slides along its axis; a switch of the panel drives it, so that it has no joint angle.
+class Travel(NamedTuple):
+    """Range of a joint that a switch drives [m], and its speed at full drive [m/s]."""
 
-    Before the first joint that turns, it is the telescope that carries the arm. Behind the last one, it is a branch.
+    least: float
+    greatest: float
+    start: float
+    rate: float
+
+
+class Slide(_Moving, frozen=True, kw_only=True, tag="slide"):
+    """Joint that slides along its axis. Steering drives it, as a joint that turns; or a switch of the panel does.
+
+    A joint that a switch drives has no joint angle. Before the first joint that steering drives, it is the telescope
+    that carries the arm. Behind the last one, it is a branch.
     """
 
-    driver: Switch
+    driver: Switch | None = None
+    """Switch that drives the joint; without it, steering does."""
+    hard: tuple[Distance, Distance] | None = None
+    """Limits of a joint that steering drives, as those of a joint that turns; also the following six."""
+    soft: tuple[Distance, Distance] | None = None
+    reach: tuple[Distance, Distance] | None = None
+    servo: SlideSpeed | None = None
+    coarse: SlideSpeed | None = None
+    vernier: SlideSpeed | None = None
+    acceleration: SlideAcceleration | None = None
     on: Text | None = None
-    """Name of the joint that carries it; without a name, the joint before it in the file."""
-    least: Constant[Distance]
-    greatest: Constant[Distance]
-    start: Constant[Distance]
+    """Name of the joint that carries a joint with a switch; without a name, the joint before it in the file."""
+    least: Constant[Distance] | None = None
+    greatest: Constant[Distance] | None = None
+    start: Constant[Distance] | None = None
     """Coordinate with which a run begins, unless the scenario gives another."""
-    rate: Constant[SlideSpeed]
+    rate: Constant[SlideSpeed] | None = None
     """Speed at full drive."""
     facing: Constant[Distance] | None = None
     """Of a prong: coordinate of the fixed face towards which it closes."""
@@ -90,7 +116,26 @@ class Slide(_JointFile, frozen=True, kw_only=True, tag="slide"):
     """Force of the drive for each m/s of speed error; a plant with masses needs it, and the greatest force."""
     force: Constant[DriveForce] | None = None
 
+    def __post_init__(self) -> None:
+        """Reject a joint without the fields of its driver, or with those of the other (ValueError)."""
+        by = "steering" if self.driver is None else f"the {self.driver} switch"
+        needed, others = (STEERED, SWITCHED) if self.driver is None else (SWITCHED, STEERED)
+        if missing := [name for name in needed if getattr(self, name) is None]:
+            raise ValueError(f"{self.name} slides, driven by {by}: {', '.join(missing)} missing")
+        if self.driver is None:
+            others = (*others, "on", "facing", "gain", "force")
+        if given := [name for name in others if getattr(self, name) is not None]:
+            raise ValueError(f"{self.name} slides, driven by {by}, and takes no {', '.join(given)}")
 
+    def travel(self) -> Travel:
+        """Return the range and the speed of a joint that a switch drives."""
+        return Travel(*(float(getattr(self, name).value) for name in SWITCHED))
+
+
+STEERED = ("hard", "soft", "reach", "servo", "coarse", "vernier", "acceleration")
+"""Fields that a joint has if steering drives it."""
+SWITCHED = ("least", "greatest", "start", "rate")
+"""Fields that a joint has if a switch drives it."""
 JointFile = Turn | Slide
 Joints = Annotated[tuple[JointFile, ...], msgspec.Meta(min_length=1)]
 

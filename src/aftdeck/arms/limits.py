@@ -6,8 +6,7 @@ from collections.abc import Sequence
 from itertools import pairwise
 from typing import NamedTuple
 
-import numpy as np
-
+from aftdeck.arms.by_joint import scale
 from aftdeck.arms.geometry import frozen
 from aftdeck.arms.model import ArmFile
 from aftdeck.arrays import Array
@@ -59,23 +58,26 @@ class LimitProblem(NamedTuple):
 
 def limits_of(file: ArmFile) -> Limits:
     """Return the joint limits of a file's arm."""
-    return Limits(*(frozen([getattr(turn, name) for turn in file.turns]) for name in Limits._fields))
+    return Limits(*(frozen([getattr(turn, name) for turn in file.steered]) for name in Limits._fields))
 
 
 def rates_of(file: ArmFile) -> JointRates:
     """Return the rate limits of a file's arm."""
-    return JointRates(*(frozen([getattr(turn, name) for turn in file.turns]) for name in JointRates._fields))
+    return JointRates(*(frozen([getattr(turn, name) for turn in file.steered]) for name in JointRates._fields))
 
 
-def limit_problems(joints: Sequence[str], limits: Limits, rates: JointRates) -> list[LimitProblem]:
-    """Return a problem for each joint with inconsistent limits or rates."""
+def limit_problems(
+    joints: Sequence[str], slides: Sequence[bool], limits: Limits, rates: JointRates
+) -> list[LimitProblem]:
+    """Return a problem for each joint with inconsistent limits or rates; `slides`: whether each joint slides."""
     found = []
     for i, joint in enumerate(joints):
+        (factor, unit), si = scale(slides[i]), "m" if slides[i] else "rad"
         chain = [*(s[i, 0] for s in limits), *(s[i, 1] for s in reversed(limits))]
         if not all(a <= b for a, b in pairwise(chain)) or chain[2] == chain[3]:
             ranges = "; ".join(
-                f"{name} {low:g} to {high:g} deg"
-                for name, (low, high) in zip(Limits._fields, (np.degrees(s[i]) for s in limits), strict=True)
+                f"{name} {low:g} to {high:g} {unit}"
+                for name, (low, high) in zip(Limits._fields, (s[i] * factor for s in limits), strict=True)
             )
             what = (
                 f"{joint}: reach limits have to be inside the soft stops, and soft stops inside the hard stops; "
@@ -84,9 +86,9 @@ def limit_problems(joints: Sequence[str], limits: Limits, rates: JointRates) -> 
             found.append(LimitProblem(i, "hard", what))
         vernier, coarse, servo = rates.vernier[i], rates.coarse[i], rates.servo[i]
         if not 0.0 < vernier <= coarse <= servo:
-            what = f"{joint}: expected 0 < vernier <= coarse <= servo, got {vernier:g}, {coarse:g}, {servo:g} rad/s"
+            what = f"{joint}: expected 0 < vernier <= coarse <= servo, got {vernier:g}, {coarse:g}, {servo:g} {si}/s"
             found.append(LimitProblem(i, "servo", what))
         if not rates.acceleration[i] > 0.0:
-            what = f"{joint}: expected an acceleration above 0, got {rates.acceleration[i]:g} rad/s2"
+            what = f"{joint}: expected an acceleration above 0, got {rates.acceleration[i]:g} {si}/s2"
             found.append(LimitProblem(i, "acceleration", what))
     return found

@@ -103,6 +103,11 @@ class ArmModel:
         return self.linkage.links
 
     @property
+    def slides(self) -> tuple[bool, ...]:
+        """For each joint, whether it slides along its axis; otherwise it turns about it."""
+        return self.linkage.slides
+
+    @property
     def singularities(self) -> tuple[str, ...]:
         """Names of the singularities that the arm's solver tells apart."""
         return self.linkage.singularities
@@ -256,7 +261,7 @@ def _model(source: Text, shapes: Text | None) -> ArmModel:
         labels=file.labels,
         linkage=linkage_of(file),
         switched=switched_of(file),
-        master=tuple(turn.stick for turn in file.turns),
+        master=tuple(turn.stick for turn in file.steered),
         covered=not any(isinstance(body, BlockBody) for body in file.bodies),
         mount=mount,
         limits=limits_of(file),

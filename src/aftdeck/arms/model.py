@@ -13,7 +13,7 @@ import msgspec
 from aftdeck.arms.body_file import BodyFile
 from aftdeck.arms.constant import Confidence, Constant, Part, Text
 from aftdeck.arms.drives import FlexibilityFile, ServoFile
-from aftdeck.arms.joints import Joints, Slide, SourcesFile, Turn
+from aftdeck.arms.joints import JointFile, Joints, Slide, SourcesFile, Turn
 from aftdeck.arms.link_file import LinkFile, Place
 from aftdeck.bounds import Bounds
 from aftdeck.units import Angle, AngularRate, Length, Mass, Speed, Time
@@ -91,21 +91,26 @@ class ArmFile(Part, frozen=True, kw_only=True):
     shapes: str | None = None
 
     @property
-    def turns(self) -> tuple[Turn, ...]:
+    def steered(self) -> tuple[JointFile, ...]:
         """Joints that steering drives, from the foot to the tip."""
-        return tuple(joint for joint in self.joint if isinstance(joint, Turn))
+        return tuple(joint for joint in self.joint if isinstance(joint, Turn) or joint.driver is None)
 
     @property
-    def slides(self) -> tuple[Slide, ...]:
+    def switched(self) -> tuple[Slide, ...]:
         """Joints that switches drive."""
-        return tuple(joint for joint in self.joint if isinstance(joint, Slide))
+        return tuple(joint for joint in self.joint if isinstance(joint, Slide) and joint.driver is not None)
+
+    @property
+    def slides(self) -> tuple[bool, ...]:
+        """For each joint that steering drives, whether it slides along its axis; otherwise it turns about it."""
+        return tuple(isinstance(joint, Slide) for joint in self.steered)
 
     @property
     def joints(self) -> tuple[str, ...]:
         """Names of the joints that steering drives."""
-        return tuple(joint.name for joint in self.turns)
+        return tuple(joint.name for joint in self.steered)
 
     @property
     def labels(self) -> tuple[str, ...]:
         """Short names of the joints that steering drives."""
-        return tuple(joint.label for joint in self.turns)
+        return tuple(joint.label for joint in self.steered)

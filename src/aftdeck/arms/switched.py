@@ -67,7 +67,7 @@ class SwitchedJoint(NamedTuple):
 
 def switched_of(file: ArmFile) -> tuple[SwitchedJoint, ...]:
     """Return the joints of a file's arm that switches drive, in the order of the file."""
-    return tuple(_switched(file, joint) for joint in file.slides)
+    return tuple(_switched(file, joint, joint.driver) for joint in file.switched if joint.driver is not None)
 
 
 def carrier_of(file: ArmFile, joint: Slide) -> str | None:
@@ -76,20 +76,17 @@ def carrier_of(file: ArmFile, joint: Slide) -> str | None:
     return joint.on or (before[-1] if before else None)
 
 
-def _switched(file: ArmFile, joint: Slide) -> SwitchedJoint:
+def _switched(file: ArmFile, joint: Slide, driver: Switch) -> SwitchedJoint:
     drive = None
     if joint.gain is not None and joint.force is not None:
         drive = Drive(float(joint.gain.value), float(joint.force.value))
     return SwitchedJoint(
         joint.name,
-        joint.driver,
+        driver,
         frame_of(joint.name),
         frame_of(carrier_of(file, joint)),
         frozen(frozen(joint.axis) / length(joint.axis)),
-        float(joint.least.value),
-        float(joint.greatest.value),
-        float(joint.start.value),
-        float(joint.rate.value),
+        *joint.travel(),
         math.inf if joint.facing is None else float(joint.facing.value),
         drive,
     )

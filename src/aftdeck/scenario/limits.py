@@ -47,7 +47,7 @@ def _limited(problems: Problems, model: ArmModel, over: LimitsOverride) -> ArmMo
     where = ("limits",)
     limits = _replaced(problems, model, model.limits, over, where)
     rates = _replaced(problems, model, model.rates, over, where)
-    for problem in limit_problems(model.joints, limits, rates):
+    for problem in limit_problems(model.joints, model.slides, limits, rates):
         problems.add((*where, *_place(problem)), problem.what)
     return replace(model, limits=limits, rates=rates)
 
@@ -60,7 +60,7 @@ def _place(problem: LimitProblem) -> Where:
 def _replaced(problems: Problems, model: ArmModel, own: _T, over: RatesOverride, where: Where) -> _T:
     """Return the arm's own limits, with those in their place that the file gives and that fit the arm's joints."""
     given = {name: value for name in own._fields if (value := getattr(over, name)) is not None}
-    fitting = {k: frozen(v) for k, v in given.items() if fits(problems, model.joints, v, (*where, k))}
+    fitting = {k: frozen(v) for k, v in given.items() if fits(problems, model, v, (*where, k))}
     return own._replace(**fitting)
 
 
@@ -80,7 +80,7 @@ def phase_limits(
     if over == RatesOverride():
         return None
     rates = _replaced(problems, model, model.rates, over, where)
-    for problem in limit_problems(model.joints, model.limits, rates):
+    for problem in limit_problems(model.joints, model.slides, model.limits, rates):
         problems.add((*where, *_place(problem)), problem.what)
     given = {name: value for name in PorOverride.__struct_fields__ if (value := getattr(over.por, name)) is not None}
     if over.por.reached_in is not None:

@@ -148,7 +148,7 @@ def _check_phase(problems: Problems, arm: Arm, phase: Phase, chosen: Chosen, joi
     if mode.kind == "master" and phase.master is None:
         problems.add(where, f"mode {mode.position} needs the master arm's angles")
     if phase.master is not None:
-        fits(problems, arm.joints, phase.master, (*where, "master"))
+        fits(problems, arm.model, phase.master, (*where, "master"))
     if (phase.until is not None or phase.stand_at is not None) and phase.duration is None:
         problems.add(where, "until and stand_at need a duration: the longest time allowed")
     if phase.until == "at rest" and mode.kind != "manual":

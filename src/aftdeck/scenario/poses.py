@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-import math
 from typing import get_args
 
 import numpy as np
 
+from aftdeck.arms.by_joint import shown, wrong_unit
 from aftdeck.arms.geometry import frozen
 from aftdeck.files import Where
 from aftdeck.frames import FrameName, Pose, endori, panel_rotation, rotation_x
@@ -24,23 +24,23 @@ ORTHONORMAL = 1e-6
 
 
 def joint_angles(problems: Problems, arm: Arm, given: JointAngles, where: Where) -> np.ndarray | None:
-    """Return joint angles (n,) [rad] as an array; None if their number or an angle is not allowed."""
-    if not fits(problems, arm.joints, given, where):
+    """Return the joints' coordinates (n,) [rad or m] as an array; None if their number or an angle is not allowed."""
+    if not fits(problems, arm.model, given, where):
         return None
     inside = [check_angle(problems, arm, joint, angle, where) for joint, angle in enumerate(given)]
     return frozen(given) if all(inside) else None
 
 
 def check_angle(problems: Problems, arm: Arm, joint: int, angle: float, where: Where) -> bool:
-    """Return whether a joint's angle [rad] is within its hard limits; report it if not."""
-    low, high = arm.limits.hard[joint]
+    """Return whether a joint's coordinate [rad or m] is within its hard limits; report it if not."""
+    (low, high), slides = arm.limits.hard[joint], arm.model.slides[joint]
+    if why := wrong_unit(arm.joints[joint], slides, angle):
+        problems.add(where, why)
+        return False
     if low <= angle <= high:
         return True
-    problems.add(
-        where,
-        f"{arm.joints[joint]} at {math.degrees(angle):g} deg is outside its hard limits "
-        f"{math.degrees(low):g} to {math.degrees(high):g} deg",
-    )
+    at, least, most = (shown(value, slides) for value in (angle, low, high))
+    problems.add(where, f"{arm.joints[joint]} at {at} is outside its hard limits {least} to {most}")
     return False
 
 

@@ -8,7 +8,6 @@ import msgspec
 
 from aftdeck.arms.body_file import Cover
 from aftdeck.arms.constant import Text
-from aftdeck.arms.joints import JointAcceleration, JointRate
 from aftdeck.arms.model import (
     RiseTime,
     TipRate,
@@ -22,6 +21,9 @@ from aftdeck.units import (
     Angle,
     AngularAcceleration,
     AngularRate,
+    Coordinate,
+    CoordinateAcceleration,
+    CoordinateRate,
     Force,
     Length,
     Mass,
@@ -35,10 +37,10 @@ from aftdeck.worksite.model import OrbiterMotion
 
 Stick = Annotated[float, Bounds(-1.0, 1.0, "1 is the full deflection")]
 Sticks = tuple[Stick, Stick, Stick]
-JointAngles = tuple[Angle, ...]
-"""Angle of each joint, from base to tip. Their number depends on the arm: `scenario.by_joint` checks it."""
-JointRanges = tuple[tuple[Angle, Angle], ...]
-"""Least and greatest angle of each joint."""
+JointAngles = tuple[Coordinate, ...]
+"""Coordinate of each joint, from base to tip. Their number and kinds are those of the arm (`scenario.by_joint`)."""
+JointRanges = tuple[tuple[Coordinate, Coordinate], ...]
+"""Least and greatest coordinate of each joint."""
 Point = tuple[Length, Length, Length]
 Velocity = tuple[Speed, Speed, Speed]
 AngularVelocity = tuple[AngularRate, AngularRate, AngularRate]
@@ -48,7 +50,15 @@ TipAngularAcceleration = Annotated[AngularAcceleration, Bounds(1e-6, 100.0, _SOO
 Delay = Annotated[Time, Bounds(0.0, 30.0, "a signal to the Moon and back takes 2.6 s")]
 Component = Annotated[float, COMPONENT]
 Row = tuple[Component, Component, Component]
-StartRates = tuple[AngularRate, ...]
+_FAST_JOINT = "the Shuttle's joints turn at 0.09 rad/s at most, small arms at about 1 rad/s"
+_JOINT_SOON = "a joint reaches its greatest rate in 0.1 s to minutes"
+JointRate = Annotated[CoordinateRate, Bounds(1e-6, 10.0, _FAST_JOINT)]
+"""Limit of a joint's rate."""
+JointAcceleration = Annotated[
+    CoordinateAcceleration, Bounds(1e-6, 100.0, "a joint reaches its greatest rate in 0.1 s to minutes")
+]
+"""Limit of a joint's acceleration."""
+StartRates = tuple[CoordinateRate, ...]
 """Rate of each joint at the start, in either direction."""
 Rate = Literal["coarse", "vernier"]
 PayloadEvent = Literal["captured", "released", "latched", "unlatched"]
@@ -309,8 +319,8 @@ class Phase(_Part, frozen=True):
     angular_velocity: AngularVelocity | None = None
     joint: str | None = None
     drive: Stick = 0.0
-    joint_rate: AngularRate | None = None
-    joint_at: Angle | None = None
+    joint_rate: CoordinateRate | None = None
+    joint_at: Coordinate | None = None
     target: PoseSpec | None = None
     law: Literal["position", "closed loop", "open loop"] | None = None
     payload_axes: bool | None = None
@@ -392,7 +402,7 @@ class StepSpec(_Part, frozen=True):
     done: StateSpec
     target: PoseSpec | None = None
     joint: Text | None = None
-    joint_at: Angle | None = None
+    joint_at: Coordinate | None = None
     mode: Text | None = None
     way: tuple[StickAxis, ...] = ()
     uses: tuple[Text, ...] = ()

@@ -44,16 +44,16 @@ def parts(
 def start(problems: Problems, arm: Arm, initial: Initial, references: TargetReferences, where: Where) -> Start | None:
     """Return the initial state of the arm (RMSIST); None if its table is wrong."""
     raised = _with_telescope_at(problems, arm, initial.stand, (*where, "stand"))
-    if initial.near is not None and not fits(problems, arm.joints, initial.near, (*where, "near")):
+    if initial.near is not None and not fits(problems, arm.model, initial.near, (*where, "near")):
         initial = msgspec.structs.replace(initial, near=None)
     rates = frozen(np.zeros(len(arm.joints)))
-    if initial.rates is not None and fits(problems, arm.joints, initial.rates, (*where, "rates")):
+    if initial.rates is not None and fits(problems, arm.model, initial.rates, (*where, "rates")):
         rates = frozen(initial.rates)
-    for joint, rate, limit in zip(arm.joints, rates, arm.rates.servo, strict=True):
+    for joint, slides, rate, limit in zip(arm.joints, arm.model.slides, rates, arm.rates.servo, strict=True):
         if abs(rate) > limit:
-            problems.add(
-                (*where, "rates"), f"{joint} starts at {rate:g} rad/s; its servo gives at most {limit:g} rad/s"
-            )
+            unit = "m/s" if slides else "rad/s"
+            text = f"{joint} starts at {rate:g} {unit}; its servo gives at most {limit:g} {unit}"
+            problems.add((*where, "rates"), text)
     grasped = None if initial.grasped is None else _grasped(problems, arm, initial, references, where)
     angles = _angles(problems, raised, initial, references, grasped, where)
     if angles is None:

@@ -681,7 +681,11 @@ export interface Welcome {
   readonly phases: readonly string[];
 }
 
-/** Joint of the arm: names, limits [rad], rate limits [rad/s] and torque limits [N m]. */
+/**
+ * Joint of the arm: names, limits [rad], rate limits [rad/s] and torque limits [N m].
+ *
+ * A joint that slides has [m], [m/s] and [N] in their places, here and in frames.
+ */
 export interface JointInfo {
   /** Name in the arm file: `shoulder_yaw`. */
   readonly name: string;
@@ -689,6 +693,8 @@ export interface JointInfo {
   readonly label: string;
   /** Axis of the hand controllers that moves this joint of the master arm: `THC Y`; null if no axis moves it. */
   readonly stick: string | null;
+  /** Whether the joint slides along its axis; otherwise it turns about it. */
+  readonly slides: boolean;
   readonly hard: Vec2;
   readonly soft: Vec2;
   readonly reach: Vec2;

@@ -42,6 +42,7 @@ def welcome_of(scenario: Scenario, *, demo: bool) -> Welcome:
             name,
             label,
             stick=None if axis is None else AXES[axis],
+            slides=model.slides[i],
             hard=_pair(model.limits.hard[i]),
             soft=_pair(model.limits.soft[i]),
             reach=_pair(model.limits.reach[i]),

@@ -16,7 +16,10 @@ from aftdeck.tuples import Joints, Vec3
 
 
 class JointInfo(msgspec.Struct, frozen=True):
-    """Joint of the arm: names, limits [rad], rate limits [rad/s] and torque limits [N m]."""
+    """Joint of the arm: names, limits [rad], rate limits [rad/s] and torque limits [N m].
+
+    A joint that slides has [m], [m/s] and [N] in their places, here and in frames.
+    """
 
     name: str
     """Name in the arm file: ``shoulder_yaw``."""
@@ -24,6 +27,8 @@ class JointInfo(msgspec.Struct, frozen=True):
     """Name on the page: ``Sho yaw``."""
     stick: str | None
     """Axis of the hand controllers that moves this joint of the master arm: ``THC Y``; null if no axis moves it."""
+    slides: bool
+    """Whether the joint slides along its axis; otherwise it turns about it."""
     hard: tuple[float, float]
     soft: tuple[float, float]
     reach: tuple[float, float]
