@@ -20,7 +20,7 @@ BY_JOINT = ("angles", "rates", "angles_commanded", "rates_commanded", "rate_limi
 
 
 def with_joints(arm: Arm, joints: int) -> Arm:
-    """Return an arm whose tables repeat those of `arm` for this number of joints; its linkage stays that of `arm`."""
+    """Return an arm whose tables repeat those of `arm` for this number of joints; its links stay those of `arm`."""
     model = arm.model
 
     def fit(values: Any) -> Any:
@@ -32,6 +32,7 @@ def with_joints(arm: Arm, joints: int) -> Arm:
             model,
             joints=tuple(f"joint_{k}" for k in range(joints)),
             labels=tuple(f"Joint {k}" for k in range(joints)),
+            linkage=model.linkage._replace(slides=(False,) * joints),
             limits=fit(model.limits),
             rates=fit(model.rates),
             servo=None if servo is None else fit(servo),

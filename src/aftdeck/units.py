@@ -9,6 +9,7 @@ import functools
 import math
 import re
 import reprlib
+from collections.abc import Iterator
 from typing import ClassVar
 
 from aftdeck.bounds import COORDINATE, ROTATION, Bounds
@@ -247,6 +248,12 @@ class CoordinateAcceleration(OfJoint):
     noun, unit, example = "acceleration of a joint", "rad/s/s or m/s/s", AngularAcceleration.example
     kinds = AngularAcceleration, Acceleration
     bounds = AngularAcceleration.bounds
+
+
+def quantities() -> Iterator[type[Quantity]]:
+    """Yield the quantities that a file may have."""
+    for kind in Quantity.__subclasses__():
+        yield from OfJoint.__subclasses__() if kind is OfJoint else (kind,)
 
 
 def _allowed(target: str) -> str:

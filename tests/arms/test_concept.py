@@ -129,7 +129,7 @@ def test_parts_fit_together() -> None:
         ('value = "900 lb"', 'value = "800 lb"', r"mass: .*408\.2"),
         ("\n[dimensions]", "\n[dimension]", "dimension: unknown"),
         ('boom = "25 ft"', 'bom = "25 ft"', "no dimension is named 'boom'"),
-        ("[joint.rate]", "[joint.speed]", "field 'rate'"),
+        ("[joint.rate]", "[joint.speed]", "speed: unknown field"),
     ],
 )
 def test_inconsistent_concept_arm_is_rejected_with_its_line(tmp_path: Path, old: str, new: str, pattern: str) -> None:

@@ -24,7 +24,8 @@ from tests.each import number
 from tests.loaded import CHAINS
 from tests.simulation.flights import random_inputs
 
-ARMS = pytest.mark.parametrize("name", ["five", "seven"])
+NAMES = ["five", "seven", "rail"]
+ARMS = pytest.mark.parametrize("name", NAMES)
 LAWS = {2, 1, 3, 4, 5, 8, 9, 10}
 """Steering laws that the flights use: those of OPR CMD, ORB UNL, END EFF, SINGLE, DIRECT and MASTER."""
 
@@ -33,7 +34,7 @@ def flight(name: str) -> Scenario:
     return load_scenario(CHAINS / f"fly-{name}.toml")
 
 
-@pytest.fixture(scope="module", params=["five", "seven"])
+@pytest.fixture(scope="module", params=NAMES)
 def flown(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFactory) -> Path:
     """A recording of a whole flight."""
     path: Path = tmp_path_factory.mktemp("chains") / f"{request.param}.mcap"

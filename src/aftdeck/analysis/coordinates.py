@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-import math
 from typing import Any
 
 import mujoco
 import numpy as np
 from numpy.typing import ArrayLike
 
+from aftdeck.arms.by_joint import shown
 from aftdeck.arms.load import ArmModel
 from aftdeck.arrays import Array, Indices, floats_of
 from aftdeck.errors import InputError, LimitError
@@ -78,9 +78,9 @@ def check_stops(model: ArmModel, angles: Array) -> None:
         return
     joint, angle = int(beyond[0, -1]), float(angles[tuple(beyond[0])])
     allowed = float(low[joint]), float(high[joint])
-    least, got, most = (f"{math.degrees(value):.4g}" for value in (allowed[0], angle, allowed[1]))
+    least, got, most = (shown(value, model.slides[joint], ".4g") for value in (allowed[0], angle, allowed[1]))
     raise LimitError(
-        f"{model.joints[joint]} at {got} deg ({angle:.4g} rad) is beyond its hard stops, {least} to {most} deg",
+        f"{model.joints[joint]} at {got} ({angle:.4g} in SI units) is beyond its hard stops, {least} to {most}",
         model.joints[joint],
         angle,
         allowed,

@@ -39,9 +39,10 @@ def misfits(joints: Sequence[str], slides: Sequence[bool], given: Sequence[objec
             yield why
 
 
-def shown(value: float, slides: bool) -> str:
-    """Return a joint's coordinate as text: an angle in degrees, or a length in metres."""
-    return f"{value:g} m" if slides else f"{math.degrees(value):g} deg"
+def shown(value: float, slides: bool, how: str = "g") -> str:
+    """Return a joint's coordinate as text: an angle in degrees, or a length in metres; `how`: format of the number."""
+    factor, unit = scale(slides)
+    return f"{value * factor:{how}} {unit}"
 
 
 def scale(slides: bool, degrees: bool = True) -> tuple[float, str]:

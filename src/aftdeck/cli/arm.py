@@ -64,9 +64,9 @@ def arm(
         list[str] | None,
         typer.Argument(
             metavar="[NUMBERS]",
-            help="forward: the angle of each joint. inverse: X Y Z and ROLL PITCH YAW (in L and orbiter: metres and "
-            "ENDORI's roll, elevation, azimuth of frame 7; in panel: inches and the end effector's attitude). "
-            "frequencies: the angle of each joint; default: all zero.",
+            help="forward: the angle of each joint; of one that slides, its length [m]. inverse: X Y Z and ROLL PITCH "
+            "YAW (in L and orbiter: metres and ENDORI's roll, elevation, azimuth of frame 7; in panel: inches and the "
+            "end effector's attitude). frequencies: as for forward; default: all zero.",
         ),
     ] = None,
     deg: Annotated[bool, typer.Option("--deg", help="Read and print angles in degrees; default: radians.")] = False,
@@ -127,7 +127,7 @@ def arm(
         case Question.frequencies:
             from aftdeck.cli.arm_frequencies import print_frequencies
 
-            angles = [math.radians(q) if deg else q for q in values or [0.0] * joints]
+            angles = _coordinates(loaded, values or [0.0] * joints, deg)
             print_frequencies(loaded, angles, payload_mass, payload_axis, payload, free, orbiter_mass, as_json)
 
 
@@ -148,8 +148,21 @@ def _numbers(texts: list[str], expected: int, question: str) -> list[float]:
     return values
 
 
+def _coordinates(loaded: Arm, values: list[float], deg: bool) -> list[float]:
+    """Return the joints' coordinates in SI units; a joint that slides has its own in metres always."""
+    scales = _scales(loaded, deg)
+    return [value / factor for value, (factor, _) in zip(values, scales, strict=True)]
+
+
+def _scales(loaded: Arm, deg: bool) -> list[tuple[float, str]]:
+    """Return for each joint the factor from the SI unit to the unit that is shown, and this unit."""
+    from aftdeck.arms.by_joint import scale
+
+    return [scale(slides, deg) for slides in loaded.model.slides]
+
+
 def _forward(loaded: Arm, values: list[float], deg: bool, frame: str, as_json: bool) -> None:
-    pose = loaded.forward([math.radians(v) if deg else v for v in values])
+    pose = loaded.forward(_coordinates(loaded, values, deg))
     position, angles, unit = _shown(loaded, pose, frame)
     shown = [math.degrees(a) if deg else a for a in angles]
     names = ("pitch", "yaw", "roll") if frame == "panel" else ("roll", "pitch", "yaw")
@@ -191,27 +204,35 @@ def _inverse(loaded: Arm, values: list[float], deg: bool, frame: str, as_json: b
         in_frame = Pose(np.array(values[:3]), endori(roll, pitch, yaw))
         pose = loaded.model.mount.from_("orbiter" if frame == "orbiter" else "L", in_frame)
     solutions = loaded.inverse(pose)
-    rows = (np.degrees(solutions) if deg else solutions).tolist()
+    scales = _scales(loaded, deg)
+    rows = (solutions * np.array([factor for factor, _ in scales])).tolist()
     if as_json:
-        print_json({"joints": loaded.joints, "solutions": rows, "angle_unit": "deg" if deg else "rad"})
+        units = {"angle_unit": "deg" if deg else "rad", "joint_units": [unit for _, unit in scales]}
+        print_json({"joints": loaded.joints, "solutions": rows, **units})
         return
     print_line("  ".join(f"{joint:>14}" for joint in loaded.joints))
+    if any(loaded.model.slides):
+        print_line("  ".join(f"{unit:>14}" for _, unit in scales))
     for row in rows:
         print_line("  ".join(f"{value:>14.4f}" for value in row))
 
 
 def _limits(loaded: Arm, deg: bool, as_json: bool) -> None:
-    scale = math.degrees(1.0) if deg else 1.0
-    unit = "deg" if deg else "rad"
+    scales, unit = _scales(loaded, deg), "deg" if deg else "rad"
     named = {**loaded.limits._asdict(), **{f"{name}_rate": r for name, r in loaded.rates._asdict().items()}}
     rows = [
-        {"joint": joint, **{name: (values[i] * scale).round(9).tolist() for name, values in named.items()}}
-        for i, joint in enumerate(loaded.joints)
+        {
+            "joint": joint,
+            "unit": joint_unit,
+            **{name: (values[i] * factor).round(9).tolist() for name, values in named.items()},
+        }
+        for i, (joint, (factor, joint_unit)) in enumerate(zip(loaded.joints, scales, strict=True))
     ]
     if as_json:
         print_json({"angle_unit": unit, "rate_unit": f"{unit}/s", "joints": rows})
         return
-    print_line(f"angles in {unit}, rates in {unit}/s")
+    lengths = "; of joints that slide, in m and m/s" if any(loaded.model.slides) else ""
+    print_line(f"angles in {unit}, rates in {unit}/s{lengths}")
     print_table(_shown_limits(rows, loaded.limits._fields, ""), ("joint", *loaded.limits._fields), False)
     print_line()
     print_table(_shown_limits(rows, loaded.rates._fields, "_rate"), ("joint", *loaded.rates._fields), False)

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-import math
 from typing import TYPE_CHECKING
 
+from aftdeck.arms.by_joint import shown
 from aftdeck.cli.arm import PayloadAxis
 from aftdeck.cli.printing import print_cautions, print_json
 from aftdeck.errors import InputError
@@ -83,10 +83,12 @@ def _cautions(
     arm: Arm, angles: Sequence[float], option: str, payload: MassProperties | None, orbiter: MassProperties | None
 ) -> Iterator[str]:
     """Yield what is strange about a pose, a payload (from an option) and an orbiter, although it can be computed."""
-    for joint, angle, (low, high) in zip(arm.joints, angles, arm.limits.hard.tolist(), strict=True):
+    for joint, slides, angle, (low, high) in zip(
+        arm.joints, arm.model.slides, angles, arm.limits.hard.tolist(), strict=True
+    ):
         if not low - ROUNDED <= angle <= high + ROUNDED:
-            least, given, most = (f"{math.degrees(value):.4g}" for value in (low, angle, high))
-            yield f"{joint} at {given} deg is beyond its hard stops, {least} and {most} deg"
+            least, given, most = (shown(value, slides, ".4g") for value in (low, angle, high))
+            yield f"{joint} at {given} is beyond its hard stops, {least} and {most}"
     if payload is not None and payload.mass > HEAVIEST * (1.0 + ROUNDED):
         yield f"{option}: {payload.mass:.6g} kg is more than the Shuttle's heaviest payload, {HEAVIEST:.6g} kg"
     usual = load_worksite("orbiter").orbiter

@@ -172,7 +172,7 @@ def run(
     if as_json:
         print_json(summary, indent=2)
     else:
-        print_summary(summary)
+        print_summary(summary, loaded.arm.model.slides)
     if recording_error is not None:
         raise recording_error
     if summary.ended == "fault":

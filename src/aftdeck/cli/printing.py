@@ -20,11 +20,14 @@ if TYPE_CHECKING:
     from aftdeck.simulation.summary import Summary
 
 
-def print_summary(s: Summary) -> None:
-    """Print a run's summary as readable text."""
+def print_summary(s: Summary, slides: Sequence[bool]) -> None:
+    """Print a run's summary as readable text; `slides`: for each joint, whether it slides."""
+    from aftdeck.arms.by_joint import shown
+
     ended = {"completed": "completed", "time": "ended by its duration", "fault": "ENDED IN A FAULT"}[s.ended]
     print_line(f"{s.scenario}: {ended} after {s.time_s:.2f} s" + (f", in phase {s.phase!r}" if s.phase else ""))
-    print_line("  joints     " + "  ".join(f"{math.degrees(q):.3f}" for q in s.joints_rad) + "  deg")
+    joints = [shown(q, slid, ".3f").removesuffix(" deg") for q, slid in zip(s.joints_rad, slides, strict=True)]
+    print_line("  joints     " + "  ".join(joints) + "  deg")
     print_line("  tip in L   " + "  ".join(f"{x:.4f}" for x in s.tip.position_m) + "  m")
     if s.position_error_m is not None and s.rotation_error_rad is not None:
         print_line(f"  error      {s.position_error_m * 1e3:.4f} mm, {math.degrees(s.rotation_error_rad):.5f} deg")

@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
+from aftdeck.arms.by_joint import shown
 from aftdeck.cli.app import Host, Json, Names, NoBrowser, Port, app
 from aftdeck.cli.printing import print_json
 from aftdeck.errors import InputError, RecordingError
@@ -259,10 +260,8 @@ def _print_outcome(file: Path, o: Outcome) -> None:
         f"{o.tip_at_end_m:.3f} m at the end"
     )
     if o.joint:
-        angle = math.degrees(o.greatest_joint_rad.value)
-        print_line(
-            f"  joints       difference at most {angle:.2f} deg: {o.joint}, at {o.greatest_joint_rad.time_s:.2f} s"
-        )
+        most = shown(o.greatest_joint_rad.value, o.joint_slides, ".3f" if o.joint_slides else ".2f")
+        print_line(f"  joints       difference at most {most}: {o.joint}, at {o.greatest_joint_rad.time_s:.2f} s")
     for event in o.events[:MAX_EVENTS]:
         when = [f"{t:.2f} s" if t is not None else "never" for t in (event.before_s, event.after_s)]
         print_line(f"  event        {when[0]} -> {when[1]}: {event.text}")

@@ -42,6 +42,8 @@ class Outcome(msgspec.Struct, frozen=True):
     greatest_joint_rad: Greatest
     joint: str
     """Name of the joint whose angle differs most; empty if no angle differs."""
+    joint_slides: bool
+    """Whether this joint slides; its difference is then in m."""
     tip_at_end_m: float
     events: tuple[EventChange, ...]
     frames_sha256: str
@@ -95,6 +97,8 @@ def rerun(
 
     recorded = Recording(path)
     comparison = Comparison(opening.joints)
+    model = sim.scenario.arm.model
+    sliding = [joint for joint, slides in zip(model.joints, model.slides, strict=True) if slides]
     try:
         comparison.follow((record for _, record in recorded.steps()), new_frames())
     finally:
@@ -113,6 +117,7 @@ def rerun(
         greatest_tip_m=comparison.tip,
         greatest_joint_rad=comparison.joint,
         joint=comparison.joint_name,
+        joint_slides=comparison.joint_name in sliding,
         tip_at_end_m=comparison.tip_at_end,
         events=comparison.events,
         frames_sha256=frames.hexdigest(),

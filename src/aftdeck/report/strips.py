@@ -52,9 +52,9 @@ def _sources(reading: Reading, scenario: Scenario) -> Iterator[Source]:
     curves = [(role, of) for role, of in both if of is not None]
     blanks, bounds = tuple(Curve(role, (), ()) for role, _ in curves), (strip.limit, caution, warning)
     parts = reading.labels(scenario)
-    for k, part in enumerate(parts or ("",)):
+    for k, (part, quantity) in enumerate(zip(parts or ("",), reading.quantities(scenario), strict=True)):
         name = reading.heading.format(part=part)
-        blank = Strip(name, reading.quantity, blanks, 0.0, 0.0, *bounds, strip.shown, strip.rests)
+        blank = Strip(name, quantity, blanks, 0.0, 0.0, *bounds, strip.shown, strip.rests)
         yield Source(blank, tuple((of, k if parts else None) for _, of in curves))
 
 

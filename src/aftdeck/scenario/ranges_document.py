@@ -18,7 +18,7 @@ from aftdeck.made_tables import renew_file
 from aftdeck.scenario.light import LightFile
 from aftdeck.scenario.schema import ScenarioFile
 from aftdeck.unit_sizes import TABLE, si_symbol
-from aftdeck.units import Quantity
+from aftdeck.units import Quantity, quantities
 from aftdeck.worksite.file.schema import WorksiteFile
 
 FILES: dict[str, tuple[type[msgspec.Struct], ...]] = {
@@ -102,7 +102,7 @@ def _lines() -> Iterator[str]:
         symbol, *other = (f"`{name}`" for name in one.names)
         yield f"| {symbol} | {one.size:.10g} {si_symbol(one.dimension)} | {', '.join(other)} |"
     yield "\n### Every field, unless a table below gives another range\n\n| quantity | range | because |\n|---|---|---|"
-    for quantity in Quantity.__subclasses__():
+    for quantity in quantities():
         yield _row(quantity.noun, quantity.bounds, quantity.unit)
     known: set[Any] = set()
     for heading, kinds in FILES.items():

@@ -6,10 +6,9 @@ joint angles that put the tip at the target (RMANGS's branches).
 
 from __future__ import annotations
 
-import math
-
 import numpy as np
 
+from aftdeck.arms.by_joint import shown
 from aftdeck.arrays import Array
 from aftdeck.errors import UnreachableError
 from aftdeck.kinematics.arm import Arm
@@ -91,9 +90,10 @@ def _branches(scenario: Scenario, arm: Arm, now: Array, target: Target) -> list[
     if not inside and not scenario.as_flown:
         row = int(beyond.max(axis=1).argmin())
         joint = int(beyond[row].argmax())
+        slides = arm.model.slides[joint]
         raise UnreachableError(
             f"every solution lies outside the soft stops; the nearest needs {joint_label(arm.joints[joint])} at "
-            f"{math.degrees(solutions[row, joint]):.2f} deg, {math.degrees(beyond[row, joint]):.2f} deg outside",
+            f"{shown(solutions[row, joint], slides, '.2f')}, {shown(beyond[row, joint], slides, '.2f')} outside",
             float(beyond[row, joint]),
             arm.joints[joint],
         )

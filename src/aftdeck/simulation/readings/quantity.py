@@ -44,3 +44,5 @@ UNITS: dict[Quantity, str] = dict.fromkeys(get_args(Quantity), "") | {
     "milliseconds": "ms",
 }
 """SI unit of each quantity; empty for a number without a unit, and for a text."""
+SLID: dict[Quantity, Quantity] = {"angle": "length", "turn rate": "speed", "torque": "force"}
+"""Quantity of a joint that slides, for the quantities of a joint that turns."""

@@ -12,7 +12,7 @@ from aftdeck.field_meta import field_meta
 from aftdeck.plant.readings import Readings
 from aftdeck.scenario.model import Scenario
 from aftdeck.simulation.frame import Dynamics, Frame
-from aftdeck.simulation.readings.quantity import UNITS, Quantity
+from aftdeck.simulation.readings.quantity import SLID, UNITS, Quantity
 from aftdeck.simulation.readings.source import OWN
 from aftdeck.table import Cell
 from aftdeck.worksite.report import Hand, Work
@@ -179,6 +179,13 @@ class Reading(NamedTuple):
                 return tuple(name.capitalize() for name in scenario.arm.model.singularities)
             case parts:
                 return parts
+
+    def quantities(self, scenario: Scenario) -> tuple[Quantity, ...]:
+        """Return the kind of each of its numbers: those of a joint that slides have lengths in place of angles."""
+        if self.parts != "joints":
+            return (self.quantity,) * max(1, len(self.labels(scenario)))
+        slid = SLID.get(self.quantity, self.quantity)
+        return tuple(slid if slides else self.quantity for slides in scenario.arm.model.slides)
 
     def values(self, known: Known) -> Sequence[Cell]:
         """Return its values, one for each part."""

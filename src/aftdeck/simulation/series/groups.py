@@ -18,9 +18,13 @@ _FIRST = (
 
 def columns_of(reading: Reading, scenario: Scenario) -> tuple[Column, ...]:
     """Return the columns of a reading."""
-    unit = UNITS[reading.quantity]
-    names = reading.names(reading.column or reading.name, scenario)
-    columns = tuple(Column(with_unit(name, unit), unit, reading.definition) for name in names)
+    names, units = (
+        reading.names(reading.column or reading.name, scenario),
+        [UNITS[quantity] for quantity in reading.quantities(scenario)],
+    )
+    columns = tuple(
+        Column(with_unit(name, unit), unit, reading.definition) for name, unit in zip(names, units, strict=True)
+    )
     return tuple(column._replace(kind="text") for column in columns) if reading.quantity == "words" else columns
 
 

@@ -72,7 +72,7 @@ def _around_the_arm(scenario: Scenario, cameras: list[Camera]) -> Iterator[Probl
     for k, camera, part, depth in _points_inside(scenario, samples, np.array(points).reshape(-1, 3)):
         if (camera, part) not in found and not _logs_contact(scenario, bodies(scenario, placed(scenario, *samples[k]))):
             found.add((camera, part))
-            yield _problem(scenario, fixed[camera], part, depth, joints_text(samples[k][0]))
+            yield _problem(scenario, fixed[camera], part, depth, joints_text(scenario.arm.model, samples[k][0]))
 
 
 def _aimed_at(scenario: Scenario, samples: list[ArmPose], points: list[Array]) -> list[ArmPose]:

@@ -8,6 +8,8 @@ from itertools import product
 
 import numpy as np
 
+from aftdeck.arms.by_joint import shown
+from aftdeck.arms.load import ArmModel
 from aftdeck.arrays import Array
 from aftdeck.bodies.pose import pose_of
 from aftdeck.frames import Pose
@@ -29,11 +31,11 @@ def stops(scenario: Scenario) -> Iterator[tuple[str, Array, float, float]]:
     low, high = model.limits.hard.T
     ends, prong = _travel(scenario)
     yield "with every joint at the middle of its limits", 0.5 * (low + high), ends[0], prong
-    # if a joint has a range of a full turn or more, the middle of the range replaces the upper stop
-    turns = np.where(high - low < 2.0 * math.pi, high, 0.5 * (low + high))
+    # if a joint that turns has a range of a full turn or more, the middle of the range replaces the upper stop
+    turns = np.where((high - low < 2.0 * math.pi) | np.array(model.slides), high, 0.5 * (low + high))
     for joints in product(*zip(low, turns, strict=True)):
         for end in ends:
-            yield joints_text(np.array(joints)), np.array(joints), end, prong
+            yield joints_text(model, np.array(joints)), np.array(joints), end, prong
 
 
 def placed(scenario: Scenario, angles: Array, stand: float, prong: float) -> dict[str, Pose]:
@@ -53,9 +55,12 @@ def bodies(scenario: Scenario, frames: dict[str, Pose]) -> Parts:
     return found
 
 
-def joints_text(angles: Array) -> str:
+def joints_text(model: ArmModel, angles: Array) -> str:
     """Return the joint angles of a pose as text."""
-    return f"at joint angles {', '.join(f'{math.degrees(angle):.0f}' for angle in angles.tolist())} deg"
+    if not any(model.slides):
+        return f"at joint angles {', '.join(f'{math.degrees(angle):.0f}' for angle in angles.tolist())} deg"
+    pairs = zip(angles.tolist(), model.slides, strict=True)
+    return f"with the joints at {', '.join(shown(angle, slides, '.3g') for angle, slides in pairs)}"
 
 
 def inside_soft_stops(scenario: Scenario) -> Iterator[tuple[Array, float, float]]:

@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Iterator
 from typing import NamedTuple
 
 import msgspec
 import numpy as np
 
+from aftdeck.arms.by_joint import shown
 from aftdeck.errors import AftdeckError
 from aftdeck.files import Problem
 from aftdeck.frames import Pose
@@ -101,7 +101,8 @@ def _beyond(scenario: Scenario, tip: Pose, stand: float) -> str:
         return ""
     nearest = solutions[0]
     joint = int(np.maximum(low - nearest, nearest - high).argmax())
-    return f"{arm.model.joints[joint]} would be at {math.degrees(nearest[joint]):.4g} deg, outside its soft stops"
+    at = shown(nearest[joint], arm.model.slides[joint], ".4g")
+    return f"{arm.model.joints[joint]} would be at {at}, outside its soft stops"
 
 
 def _at(scenario: Scenario, stand: float) -> Arm:

@@ -128,7 +128,8 @@ class Pulses:
         rules = self._rules_of(payload_id(frame))[mode.position, frame.rate, mode.laws[0]]
         point = Axis(DISTANCE, frame.por_limits[0], float(rules[SPEED_UP]))
         turn = Axis(ANGLE, frame.por_limits[1], float(rules[TURN_UP]))
-        joint = Axis(ANGLE, frame.rate_limits[frame.joint], float(rules[RATE_UP + frame.joint]))
+        slides = self._scenario.arm.model.slides[frame.joint]
+        joint = Axis(DISTANCE if slides else ANGLE, frame.rate_limits[frame.joint], float(rules[RATE_UP + frame.joint]))
         return (*[point] * 3, *[turn] * 3, joint, self._telescope(), *[self._orbiter()] * 3)
 
     def _rules_for(self, number: int) -> dict[Key, Array]:

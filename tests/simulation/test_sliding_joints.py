@@ -1,0 +1,91 @@
+"""A joint that slides has units of length where a joint that turns has angles: in files, texts, tables and commands."""
+
+from __future__ import annotations
+
+import re
+
+import pytest
+
+from aftdeck.arms.load import model_of
+from aftdeck.errors import ScenarioError
+from aftdeck.files import Text
+from aftdeck.report.strips import sources
+from aftdeck.scenario.load import load_scenario
+from aftdeck.scenario.model import Scenario
+from aftdeck.simulation.series.groups import columns_of, in_series
+from aftdeck.station.conversion.welcome_of import welcome_of
+from tests.commands import Run
+from tests.loaded import CHAINS
+
+RAIL = CHAINS / "rail.toml"
+ANGLES = ["-30 deg", "80 deg", "-100 deg", "-70 deg", "15 deg", "-40 deg"]
+
+
+def given(changes: dict[object, object]) -> Scenario:
+    return load_scenario(CHAINS / "fly-rail.toml", changes)
+
+
+@pytest.mark.parametrize(
+    ("changes", "why"),
+    [
+        ({("initial", "joints"): ["20 deg", *ANGLES]}, "rail slides: expected a length, .* got an angle"),
+        (
+            {("initial", "joints"): ["1 m", "1 ft", *ANGLES[1:]]},
+            "shoulder_yaw turns: expected an angle, .* got a length",
+        ),
+        ({("initial", "joints"): ["7 m", *ANGLES]}, "rail at 7 m is outside its hard limits -6 m to 6 m"),
+        ({("initial", "joints"): ["7 s", *ANGLES]}, "neither an angle nor a length"),
+        ({("initial", "rates"): ["1 deg/s"] + [0] * 6}, "rail slides: expected a speed"),
+        ({("initial", "rates"): ["1 m/s"] + [0] * 6}, "rail starts at 1 m/s; its servo gives at most 0.2 m/s"),
+        ({("limits", "soft"): [["-1 deg", "1 deg"]] * 7}, "rail slides: expected a length"),
+        ({("limits", "servo"): ["1 m/s"] * 7}, "shoulder_yaw turns: expected an angular rate"),
+        ({("phase", 2, "joint_at"): "20 deg"}, "rail slides: expected a length"),
+        ({("phase", 2, "joint_at"): "6.5 m"}, "outside its hard limits"),
+    ],
+)
+def test_a_value_with_the_unit_of_the_other_kind_is_an_error(changes: dict[object, object], why: str) -> None:
+    with pytest.raises(ScenarioError, match=why):
+        given(changes)
+
+
+def test_a_bare_number_is_in_the_si_unit_of_each_joint() -> None:
+    made = given({("initial", "joints"): [0.5, 0.1, 1.2, -1.5, -1.0, 0.2, -0.5]})
+    assert made.start.angles.tolist() == [0.5, 0.1, 1.2, -1.5, -1.0, 0.2, -0.5]
+    assert given({("initial", "joints"): ["50 cm", *ANGLES]}).start.angles[0] == pytest.approx(0.5)
+
+
+def test_columns_strips_and_messages_have_the_unit_of_the_joint() -> None:
+    made = given({})
+    columns = {one.name: one.unit for reading in in_series(made) for one in columns_of(reading, made)}
+    assert columns["angle_rail_m"] == "m" and columns["rate_rail_m_s"] == "m/s"
+    assert columns["angle_elbow_rad"] == "rad"
+    kinds = {source.blank.name: source.blank.quantity for source in sources(made)}
+    assert (kinds["Rail"], kinds["Elbow"]) == ("length", "angle")
+    assert [joint.slides for joint in welcome_of(made, demo=False).joints] == [True, *[False] * 6]
+
+
+def test_commands_print_and_read_lengths(run: Run) -> None:
+    limits = run.json("arm", str(RAIL), "limits", "--deg")["joints"]
+    assert (limits[0]["unit"], limits[0]["hard"], limits[1]["unit"]) == ("m", [-6.0, 6.0], "deg")
+    at = [run.json("arm", str(RAIL), "forward", str(x), *["0"] * 6, "--deg")["position"][0] for x in (0.0, 1.5)]
+    assert at[1] - at[0] == pytest.approx(1.5)
+    solved = run.json("arm", str(RAIL), "inverse", "7", "0", "-3", "0", "0", "0", "--deg")
+    assert solved["joint_units"] == ["m", *["deg"] * 6] and abs(solved["solutions"][0][0]) <= 6.0
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "why"),
+    [
+        ('servo = "0.2 m/s"', 'servo = "2 deg/s"', "speed"),
+        ('hard = ["-6 m", "6 m"]', 'hard = ["-60 deg", "60 deg"]', "length"),
+        ('servo = "0.2 m/s"\n', "", "rail slides, driven by steering: servo missing"),
+        ('servo = "0.2 m/s"\n', 'servo = "0.2 m/s"\non = "elbow"\n', "takes no on"),
+        ('soft = ["-5.9 m", "5.9 m"]', 'soft = ["-7 m", "7 m"]', "got hard -6 to 6 m; soft -7 to 7 m"),
+        ('servo = "0.2 m/s"', 'servo = "0.05 m/s"', "got 0.03, 0.1, 0.05 m/s"),
+    ],
+)
+def test_an_arm_file_with_a_wrong_slide_is_an_error(old: str, new: str, why: str) -> None:
+    text = RAIL.read_text(encoding="utf-8")
+    assert old in text
+    with pytest.raises(ScenarioError, match=re.escape(why)):
+        model_of(Text("rail.toml", text.replace(old, new, 1)), lambda _: Text("", ""))
