@@ -91,7 +91,7 @@ TABLES = [
     ),
     (
         "[limits]\nservo = [0, 0.01, 0.01, 0.01, 0.01, 0.01]",
-        r"a\.toml:5: limits\.servo\[0\]: got 0 rad/s; .*1e-06",
+        r"a\.toml:5: limits\.servo\[0\]: got 0 rad/s or m/s; .*1e-06",
     ),
     ("[limits.por]\ntranslation = 0", r"a\.toml:5: limits\.por\.translation: got 0 m/s; .*1e-06 to 10 m/s"),
     ("[limits.por]\nreached_in = '2 m'", r"a\.toml:5: limits\.por\.reached_in: '2 m'"),
