@@ -43,7 +43,7 @@ test('the device that was moved last is named until a key is pressed', () => {
   expect(words()).toBe('THC +X (L↑), THC −Z (LT), RHC −roll (LB)');
   move(0, 0, 0, 0);
   expect(inHand.name('latch')).toBe('Menu + South');
-  expect(goParts(toGo({ translation: [0.3, 0, 0] }), SI, inHand)[0]).toMatchObject({
+  expect(goParts(toGo({ translation: [0.3, 0, 0] }), SI, inHand, [])[0]).toMatchObject({
     stick: '+X',
     handle: 'L↑',
   });

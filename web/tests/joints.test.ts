@@ -1,5 +1,5 @@
 import { afterEach, beforeEach, expect, test, vi } from 'vitest';
-import { angleAt, BAR, place } from '../src/panel/joints/joint-scale';
+import { BAR, coordinateAt, place } from '../src/panel/joints/joint-scale';
 import { Paced } from '../src/panel/parts/paced';
 
 beforeEach(() => {
@@ -25,8 +25,8 @@ test('master angles are sent at most 20 times a second; the last angles are alwa
   expect(sent.at(-1)).toBe(7);
 });
 
-test('a position on a joint bar gives the angle at that position', () => {
+test('a position on a joint bar gives the coordinate at that position', () => {
   const joint = { hard: [-3, 3], soft: [-2.9, 2.9], reach: [-2.7, 2.7] } as const;
-  for (let at = 0; at <= BAR; at += 8.5) expect(place(joint, angleAt(joint, at))).toBeCloseTo(at);
-  expect([angleAt(joint, -5), angleAt(joint, BAR + 5)]).toEqual([-3, 3]);
+  for (let at = 0; at <= BAR; at += 8.5) expect(place(joint, coordinateAt(joint, at))).toBeCloseTo(at);
+  expect([coordinateAt(joint, -5), coordinateAt(joint, BAR + 5)]).toEqual([-3, 3]);
 });

@@ -5,6 +5,7 @@ import { unitsOf } from '../src/words/units';
 
 const joints = ['Sho yaw', 'Sho pitch', 'Elbow', 'Wri pitch', 'Wri yaw', 'Wri roll'].map((label) => ({
   label,
+  slides: false,
 }));
 const ahead: Ahead = {
   seconds: 5,
@@ -35,6 +36,12 @@ test('a predicted contact is named, and so is a joint past its limit', () => {
   expect(told.clearance).toBe('contact 3.0 s');
   expect(told.joint).toBe('Elbow 1° past');
   expect(words({ ...ahead, clearance: null }, joints, unitsOf('SI')).clearance).toBe('–');
+});
+
+test('a joint that slides has a length to its limit', () => {
+  const rail = [{ label: 'Rail', slides: true }];
+  expect(words({ ...ahead, joint: 0, room: 5.3 }, rail, unitsOf('SI')).joint).toBe('Rail 5.30 m');
+  expect(words({ ...ahead, joint: 0, room: -0.05 }, rail, unitsOf('ft-in')).joint).toBe('Rail 2.0 in past');
 });
 
 test('the label names the stick command of the prediction', () => {

@@ -99,8 +99,8 @@ export class SmallElement {
     return this.children.flatMap((child) => (child instanceof SmallElement ? [child, ...child.all] : []));
   }
 
-  /** The first element that matches `selector`: steps such as `button.key`, separated by spaces. */
-  querySelector(selector: string): SmallElement | null {
+  /** The elements that match `selector`: steps such as `button.key`, separated by spaces. */
+  querySelectorAll(selector: string): readonly SmallElement[] {
     let within: readonly SmallElement[] = [this];
     for (const step of selector.split(' ')) {
       const [tag, ...classes] = step.split('.');
@@ -110,7 +110,12 @@ export class SmallElement {
         ),
       );
     }
-    return within[0] ?? null;
+    return within;
+  }
+
+  /** The first element that matches `selector`. */
+  querySelector(selector: string): SmallElement | null {
+    return this.querySelectorAll(selector)[0] ?? null;
   }
 
   addEventListener(type: string, listener: (event: object) => void): void {

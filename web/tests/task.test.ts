@@ -75,7 +75,7 @@ test('a hint that applies replaces the text and the functions of its step', () =
 
 test('each component that is left has the stick and key that reduce it', () => {
   const go = toGo({ translation: [1.99, 0.3, -0.254], rotation: [0.005, -0.1, 0] });
-  expect(goParts(go, FEET, KEYS)).toEqual([
+  expect(goParts(go, FEET, KEYS, [])).toEqual([
     { axis: 'X', stick: '+X', handle: 'W', value: '6.5 ft', near: false },
     { axis: 'Y', stick: '+Y', handle: 'D', value: '12 in', near: false },
     { axis: 'Z', stick: '−Z', handle: 'Q', value: '10 in', near: false },
@@ -86,7 +86,7 @@ test('each component that is left has the stick and key that reduce it', () => {
 });
 
 test('three green components are together within the tolerance', () => {
-  const [inside, centred, outside] = goParts(toGo({ translation: [0.028, 0.009, -0.03] }), SI, KEYS);
+  const [inside, centred, outside] = goParts(toGo({ translation: [0.028, 0.009, -0.03] }), SI, KEYS, []);
   expect([inside?.near, inside?.handle]).toEqual([true, 'W']);
   expect([centred?.near, centred?.handle]).toEqual([true, '']);
   expect([outside?.near, outside?.handle]).toEqual([false, 'Q']);
@@ -108,17 +108,28 @@ test('without a condition, {wanting} depends on what the end effector holds', ()
 });
 
 test('a joint has one component, without a key', () => {
+  const joints = [
+    { name: 'elbow_pitch', slides: false },
+    { name: 'long_rail', slides: true },
+  ];
   const go = toGo({ to: 'elbow pitch', distance: 0, angle: -0.2, shift: [] });
-  expect(goParts(go, SI, KEYS)).toEqual([{ axis: '', stick: '−', handle: '', value: '11.5°', near: false }]);
-  expect(goWords(go, SI)).toBe('11.5°');
+  expect(goParts(go, SI, KEYS, joints)).toEqual([
+    { axis: '', stick: '−', handle: '', value: '11.5°', near: false },
+  ]);
+  expect(goWords(go, SI, joints)).toBe('11.5°');
+  const slide = toGo({ to: 'long rail', distance: 0, angle: -0.7, shift: [] });
+  expect(goParts(slide, FEET, KEYS, joints)[0]).toMatchObject({ stick: '−', value: '2.3 ft' });
+  expect(goSentence(slide, SI, KEYS, joints)).toBe('To long rail: 70 cm.');
 });
 
 test('without sticks, only distance and angle are left', () => {
   const go = toGo({ to: 'target', distance: 12.345, angle: 1 });
-  expect(goParts(go, SI, KEYS)).toEqual([]);
-  expect(goSentence(go, SI, KEYS)).toBe('To target: 12.35 m, 57.3°.');
+  expect(goParts(go, SI, KEYS, [])).toEqual([]);
+  expect(goSentence(go, SI, KEYS, [])).toBe('To target: 12.35 m, 57.3°.');
   expect(isThere(go)).toBe(false);
-  expect(goSentence(toGo({ distance: 0.01, angle: 0.01 }), FEET, KEYS)).toBe('To pin: 0.4 in, 0.6°; there.');
+  expect(goSentence(toGo({ distance: 0.01, angle: 0.01 }), FEET, KEYS, [])).toBe(
+    'To pin: 0.4 in, 0.6°; there.',
+  );
 });
 
 test('the count names the present step, or at the end those that were done', () => {

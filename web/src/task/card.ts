@@ -46,17 +46,18 @@ export class Card {
   private readonly drawing = padDrawing();
   private readonly back: HTMLButtonElement;
   private readonly skip: HTMLButtonElement;
-  private readonly go = goElement();
+  private readonly go;
   private readonly debrief: DebriefView;
   private lights: readonly { readonly use: string; readonly cap: HTMLElement }[] = [];
 
   /** `noteWords`: text below the text of every step. */
   constructor(
     private readonly inHand: InHand,
-    welcome: Pick<Welcome, 'steps' | 'scenario' | 'next'>,
+    welcome: Pick<Welcome, 'steps' | 'scenario' | 'next' | 'joints'>,
     private readonly noteWords: readonly Piece[],
     listener: CardListener,
   ) {
+    this.go = goElement(welcome.joints);
     this.marks = welcome.steps.map(() => el('li'));
     this.words = new MarkedText(el('p', { class: 'words' }), inHand);
     this.note = new MarkedText(el('p', { class: 'note' }), inHand);

@@ -70,7 +70,7 @@ export class Task {
       : ['Tutorial', 'Learn a first capture in six steps'];
     this.key = button({ title }, [name], () => this.toggle());
     const guide = button({ title: OPEN }, ['Open the guide'], () => this.show(true));
-    this.line = new Line(inHand, this.exists ? guide : script);
+    this.line = new Line(inHand, desk.welcome, this.exists ? guide : script);
     const note = this.isTutorial ? 'You cannot damage anything here. ' : 'Contacts lower the grade. ';
     this.card = new Card(inHand, desk.welcome, notice(note), {
       back: () => desk.send({ type: 'turn_step', to: 'previous' }),

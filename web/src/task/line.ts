@@ -1,6 +1,7 @@
 /** The present step of the task in one line below the rail, while the card is closed. */
 
 import type { InHand } from '../input/active-device';
+import type { Welcome } from '../link/protocol';
 import { el, setAttribute, setText } from '../panel/parts/dom';
 import type { Units } from '../words/units';
 import { goElement, type Left } from './to-go';
@@ -11,13 +12,15 @@ export class Line {
   private readonly count = el('span', { class: 'count' });
   private readonly title = el('b', { class: 'title' });
   private readonly words: MarkedText;
-  private readonly go = goElement();
+  private readonly go;
 
   /** `key` is a button for what the user can do next. */
   constructor(
     private readonly inHand: InHand,
+    { joints }: Pick<Welcome, 'joints'>,
     key: HTMLElement,
   ) {
+    this.go = goElement(joints);
     this.words = new MarkedText(el('span', { class: 'words' }), inHand);
     this.element = el(
       'section',

@@ -4,9 +4,10 @@
  */
 
 import type { Names } from '../input/active-device';
-import type { Display, TaskPair, ToGo, Vec3 } from '../link/protocol';
+import type { Display, JointInfo, TaskPair, ToGo, Vec3 } from '../link/protocol';
 import { el, setAttribute, setClass, setText } from '../panel/parts/dom';
 import { degrees, fixed, lengthText, small } from '../words/format';
+import { jointCalled, motionText } from '../words/joint';
 import type { Units } from '../words/units';
 
 const MOVES = ['X', 'Y', 'Z'] as const;
@@ -15,6 +16,9 @@ const TURNS = ['roll', 'pitch', 'yaw'] as const;
 const LEAST = 0.2;
 /** A smaller speed is not shown [m/s]. */
 const AT_REST = 0.002;
+
+/** The joints of the arm: a joint that slides has a length to go. */
+type Joints = readonly Pick<JointInfo, 'name' | 'slides'>[];
 
 export interface GoPart {
   /** Axis of the stick: `Z`, `yaw`. */
@@ -30,16 +34,23 @@ export interface GoPart {
 }
 
 /** Returns the components that are left: three of translation and three of rotation; for a joint only one, without a key. */
-export function goParts(go: ToGo, units: Units, names: Names): readonly GoPart[] {
-  if (go.shift.length === 0) return [part('', '', go.angle, go.near[1], angle, names)];
+export function goParts(go: ToGo, units: Units, names: Names, joints: Joints): readonly GoPart[] {
+  if (go.shift.length === 0) {
+    const write = (size: number) => jointMotion({ ...go, angle: size }, units, joints);
+    return [part('', '', go.angle, go.near[1], write, names)];
+  }
   const moves = components(go.translation, MOVES, go.near[0], (size) => lengthText(size, units), names);
   return [...moves, ...components(go.rotation, TURNS, go.near[1], angle, names)];
 }
 
-/** Distance and angle as a text: `12.3 in, 4.5°`. */
-export function goWords(go: ToGo, units: Units): string {
-  const turn = angle(Math.abs(go.angle));
-  return go.shift.length === 0 ? turn : `${lengthText(go.distance, units)}, ${turn}`;
+/** Distance and angle as a text: `12.3 in, 4.5°`; for a joint, one of the two. */
+export function goWords(go: ToGo, units: Units, joints: Joints): string {
+  if (go.shift.length === 0) return jointMotion(go, units, joints);
+  return `${lengthText(go.distance, units)}, ${angle(Math.abs(go.angle))}`;
+}
+
+function jointMotion({ to, angle }: ToGo, units: Units, joints: Joints): string {
+  return motionText(jointCalled(to, joints) ?? { slides: false }, angle, units);
 }
 
 /** Speed towards the place, as a text: `0.12 ft/s`; empty at rest and for a joint. */
@@ -97,7 +108,7 @@ export type Left = Pick<Display, 'to_go' | 'task_pair'>;
 export const NOTHING_LEFT: Left = { to_go: null, task_pair: null };
 
 /** Element with the remaining motion: a head, and a cell for each component. */
-export function goElement() {
+export function goElement(joints: Joints) {
   const cells = Array.from({ length: 6 }, () => {
     const [handle, value] = [el('kbd'), el('span')];
     return { element: el('li', {}, handle, value), handle, value };
@@ -116,14 +127,14 @@ export function goElement() {
     set({ to_go: go, task_pair }: Left, units: Units, names: Names) {
       element.hidden = go === null;
       if (!go) return;
-      const parts = goParts(go, units, names);
+      const parts = goParts(go, units, names, joints);
       setText(head, `to ${go.to}`);
-      setText(total, goWords(go, units));
+      setText(total, goWords(go, units, joints));
       setText(speed, closingWords(go, units));
       setText(apart, task_pair ? apartWords(task_pair, units) : '');
       setAttribute(apart, 'title', task_pair ? `${task_pair.a} to ${task_pair.b}` : '');
       setClass(element, 'there', isThere(go));
-      const sentence = goSentence(go, units, names);
+      const sentence = goSentence(go, units, names, joints);
       setAttribute(element, 'aria-label', sentence);
       setAttribute(element, 'title', sentence);
       list.hidden = parts.length === 0;
@@ -142,10 +153,10 @@ export function goElement() {
 }
 
 /** Returns the remaining motion as a sentence, with the controls for it. */
-export function goSentence(go: ToGo, units: Units, names: Names): string {
-  const flown = goParts(go, units, names).filter(({ handle }) => handle !== '');
+export function goSentence(go: ToGo, units: Units, names: Names, joints: Joints): string {
+  const flown = goParts(go, units, names, joints).filter(({ handle }) => handle !== '');
   const words = flown.map(({ stick, handle, value }) => `${stick} (${handle}) ${value}`).join(', ');
-  const place = `To ${go.to}: ${goWords(go, units)}`;
+  const place = `To ${go.to}: ${goWords(go, units, joints)}`;
   if (isThere(go)) return `${place}; there.`;
   return words ? `${place}; ${words}.` : `${place}.`;
 }

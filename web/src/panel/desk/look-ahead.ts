@@ -1,14 +1,14 @@
 /** Look-ahead: numbers for the arm at the predicted pose, with the present stick command. The ghost shows this pose. */
 
-import type { Ahead } from '../../link/protocol';
+import type { Ahead, JointInfo } from '../../link/protocol';
 import { small } from '../../words/format';
+import { motionText } from '../../words/joint';
 import type { Units } from '../../words/units';
 import { button, el, group, setAbout, setAttribute, setClass, setText } from '../parts/dom';
 import type { Desk, Part } from '../parts/part';
 
 /** Prediction times [s]. */
 const TIMES = [2, 5, 10, 20] as const;
-const DEGREES = 180 / Math.PI;
 
 export function lookAhead(desk: Desk): Part {
   let seconds = 5;
@@ -81,8 +81,8 @@ function below({ clearance }: Ahead, caution: number): boolean {
 /** The numbers in the operator's units. */
 export function words(
   ahead: Ahead,
-  joints: readonly { readonly label: string }[],
-  { gap }: Pick<Units, 'gap'>,
+  joints: readonly Pick<JointInfo, 'label' | 'slides'>[],
+  units: Units,
 ): {
   readonly clearance: string;
   readonly between: string;
@@ -90,13 +90,15 @@ export function words(
   readonly joint: string;
 } {
   const { clearance, a, b, contact_s, stopping, joint, room } = ahead;
+  const { gap } = units;
   const shown = (value: number) => `${small(value, gap)} ${gap.name}`;
-  const left = `${Math.abs(room * DEGREES).toFixed(0)}°`;
+  const nearest = joints[joint];
+  const left = nearest ? motionText(nearest, room, units, 0) : '';
   return {
     clearance:
       contact_s !== null ? `contact ${contact_s.toFixed(1)} s` : clearance === null ? '–' : shown(clearance),
     between: clearance === null ? '' : `${a} to ${b}`,
     stopping: shown(stopping),
-    joint: `${joints[joint]?.label ?? ''} ${room > 0 ? left : `${left} past`}`,
+    joint: `${nearest?.label ?? ''} ${room > 0 ? left : `${left} past`}`,
   };
 }

@@ -1,14 +1,13 @@
-/** Bar of a joint: a pointer shows its angle; at both ends are the zones of its limits. */
+/** Bar of a joint: a pointer shows its coordinate; at both ends are the zones of its limits. */
 
 import type { JointInfo } from '../../link/protocol';
-import { degrees } from '../../words/format';
 import { setAttribute, svg } from '../parts/dom';
 import { BAR, place } from './joint-scale';
 
 export interface JointBar {
   readonly element: SVGSVGElement;
-  /** Puts the pointer at an angle [rad]. */
-  set(angle: number): void;
+  /** Puts the pointer at a coordinate [rad or m]. */
+  set(coordinate: number): void;
 }
 
 /** `marks` are drawn over the bar, in the units of its view box. */
@@ -31,16 +30,10 @@ export function jointBar(joint: JointInfo, ...marks: SVGElement[]): JointBar {
   );
   return {
     element,
-    set(angle) {
-      setAttribute(pointer, 'transform', `translate(${place(joint, angle).toFixed(2)} 0)`);
+    set(coordinate) {
+      setAttribute(pointer, 'transform', `translate(${place(joint, coordinate).toFixed(2)} 0)`);
     },
   };
-}
-
-/** Returns a text with the joint's three ranges. */
-export function range({ label, reach, soft, hard }: JointInfo): string {
-  const pair = ([low, high]: readonly [number, number]) => `${degrees(low)}° to ${degrees(high)}°`;
-  return `${label}: reach ${pair(reach)}, soft ${pair(soft)}, hard ${pair(hard)}`;
 }
 
 function zones(): SVGElement[] {

@@ -1,4 +1,4 @@
-/** Position of an angle on a joint's bar. */
+/** Position of a joint's coordinate on its bar. */
 
 import type { JointInfo } from '../../link/protocol';
 
@@ -9,19 +9,19 @@ const PLACES = [0, ZONE, 2 * ZONE, BAR - 2 * ZONE, BAR - ZONE, BAR] as const;
 
 type Limits = Pick<JointInfo, 'hard' | 'soft' | 'reach'>;
 
-/** Angles at `PLACES` [rad]. */
-function angles({ hard, soft, reach }: Limits): readonly number[] {
+/** Coordinates at `PLACES` [rad or m]. */
+function coordinates({ hard, soft, reach }: Limits): readonly number[] {
   return [hard[0], soft[0], reach[0], reach[1], soft[1], hard[1]];
 }
 
-/** Returns the position of an angle [rad] on the bar: 0 at the lower hard stop, `BAR` at the upper hard stop. */
-export function place(joint: Limits, angle: number): number {
-  return between(angles(joint), PLACES, angle);
+/** Returns the position of a coordinate [rad or m] on the bar: 0 at the lower hard stop, `BAR` at the upper hard stop. */
+export function place(joint: Limits, coordinate: number): number {
+  return between(coordinates(joint), PLACES, coordinate);
 }
 
-/** Returns the angle [rad] at a position on the bar. */
-export function angleAt(joint: Limits, at: number): number {
-  return between(PLACES, angles(joint), at);
+/** Returns the coordinate [rad or m] at a position on the bar. */
+export function coordinateAt(joint: Limits, at: number): number {
+  return between(PLACES, coordinates(joint), at);
 }
 
 /**

@@ -1,13 +1,14 @@
-/** Joint angles between their limits, and joint rates as fractions of their limits. */
+/** Angles and lengths of the joints between their limits, and joint rates as fractions of their limits. */
 
 import { type Limit, READOUTS } from '../../link/protocol';
 import { EXAGGERATION } from '../../scene/bending';
-import { degrees } from '../../words/format';
+import { coordinateText, coordinateUnit, rangeText } from '../../words/joint';
 import { motionWords, TELESCOPE } from '../../words/motion-words';
 import { loadBar, rateBar } from '../parts/bar';
 import { button, el, group, setAbout, setAttribute, setClass, setPressed, setText, svg } from '../parts/dom';
 import type { Desk, Part } from '../parts/part';
-import { jointBar, range } from './joint-bar';
+import { jointBar } from './joint-bar';
+import { jointHead } from './joint-head';
 import { place } from './joint-scale';
 import { standRow } from './stand';
 
@@ -23,20 +24,21 @@ export function joints(desk: Desk, bending: () => void): JointsGroup {
     const commanded = svg('path', { class: 'commanded', d: 'M-3.8 0 H3.8 L0 6.4 Z' });
     const scale = jointBar(joint, commanded);
     const angle = el('td', { class: 'angle' });
-    const name = el('th', { scope: 'row' }, joint.label);
+    const head = jointHead(joint);
+    const track = el('td', { class: 'scale' }, scale.element);
     const tag = el('span', { class: 'limit-tag' });
     const bar = rateBar();
     const torque = joint.torque === null ? null : loadBar();
     const row = el(
       'tr',
       {},
-      name,
-      el('td', { class: 'scale', title: range(joint) }, scale.element),
+      head.element,
+      track,
       angle,
       el('td', { class: 'of-limit' }, el('div', {}, bar.element, tag)),
       ...(torque ? [el('td', { class: 'torque' }, el('div', {}, torque.element))] : []),
     );
-    return { joint, row, scale, commanded, angle, bar, torque, tag };
+    return { joint, head, row, track, scale, commanded, angle, bar, torque, tag };
   });
   const stand = desk.welcome.work.stand && standRow(desk.welcome.work.stand);
   const loaded = desk.welcome.plant !== 'kinematic';
@@ -62,7 +64,7 @@ export function joints(desk: Desk, bending: () => void): JointsGroup {
             'soft ',
             ...(loaded ? [] : [el('i', { class: 'hard' }), 'hard']), // no room beside the torques
           ),
-          el('th', { scope: 'col' }, 'deg'),
+          el('th', { scope: 'col' }, desk.welcome.joints.every(({ slides }) => slides) ? '' : 'deg'),
           el('th', { scope: 'col' }, 'of limit'),
           ...(loaded ? [el('th', { scope: 'col', title: READOUTS.torque_of_limit.about }, 'torque')] : []),
         ),
@@ -96,9 +98,11 @@ export function joints(desk: Desk, bending: () => void): JointsGroup {
       setClass(element, 'single', single);
       const telescope = motionWords(frame.motions.filter(({ text }) => text.startsWith(TELESCOPE)));
       setAbout(element, single ? `${desk.welcome.joints[frame.joint]?.label ?? ''} selected` : telescope);
-      rows.forEach(({ row, angle, tag }, i) => {
+      rows.forEach(({ joint, head, row, track, angle, tag }, i) => {
         const zone = frame.zones[i] ?? 0;
-        setText(angle, degrees(frame.angles[i] ?? 0));
+        head.set(coordinateUnit(joint, units).name);
+        setAttribute(track, 'title', rangeText(joint, units));
+        setText(angle, coordinateText(joint, frame.angles[i] ?? 0, units));
         setClass(row, 'selected', single && frame.joint === i);
         setClass(row, 'reach', zone >= 1);
         setClass(row, 'soft', zone >= 2);

@@ -1,31 +1,30 @@
-/** One joint of the master arm: a slider at the commanded angle, on a bar with a pointer at the actual angle. */
+/** One joint of the master arm: a slider at the commanded coordinate, on a bar with a pointer at the actual one. */
 
 import { onPress } from '../../input/press';
 import type { JointInfo } from '../../link/protocol';
-import { degrees } from '../../words/format';
+import { coordinateNumber, coordinatesSaid, keySteps, rangeText } from '../../words/joint';
+import type { Units } from '../../words/units';
 import { el, setAttribute, svg } from '../parts/dom';
-import { jointBar, range } from './joint-bar';
-import { angleAt, BAR, place } from './joint-scale';
+import { jointBar } from './joint-bar';
+import { BAR, coordinateAt, place } from './joint-scale';
 
-const DEGREE = Math.PI / 180;
-/** Steps of the arrow keys and of Page up and down [rad]. */
-const STEP = 0.5 * DEGREE;
-const PAGE = 5 * DEGREE;
 /** The bar's margin at either end, in the units of its view box. */
 const MARGIN = 3;
 
 export interface Slider {
   readonly element: HTMLElement;
-  /** Angles of the joint and of its slider [rad]. */
-  set(actual: number, commanded: number): void;
+  /** Sets the coordinates of the joint and of its slider [rad or m]. */
+  set(actual: number, commanded: number, units: Units): void;
 }
 
-/** `moved` is called with each angle [rad] that the operator sets. */
-export function slider(joint: JointInfo, moved: (angle: number) => void): Slider {
+/** `moved` is called with each coordinate [rad or m] that the operator sets. */
+export function slider(joint: JointInfo, moved: (coordinate: number) => void): Slider {
   const thumb = svg('path', { class: 'commanded', d: 'M-5.5 -2 H5.5 L0 8 Z' });
   const bar = jointBar(joint, thumb);
   const [least, greatest] = joint.hard;
+  const [step, page] = keySteps(joint);
   let commanded = 0;
+  let shown: Units | null = null;
   const element = el(
     'div',
     {
@@ -33,14 +32,11 @@ export function slider(joint: JointInfo, moved: (angle: number) => void): Slider
       role: 'slider',
       tabindex: '0',
       'aria-label': `Master ${joint.label}`,
-      'aria-valuemin': degrees(least),
-      'aria-valuemax': degrees(greatest),
-      title: range(joint),
     },
     bar.element,
   );
-  const put = (angle: number) => {
-    commanded = Math.min(greatest, Math.max(least, angle));
+  const put = (coordinate: number) => {
+    commanded = Math.min(greatest, Math.max(least, coordinate));
     moved(commanded);
   };
   // A drag moves the slider by as much as the pointer moves, so that a press without motion does not move the arm.
@@ -50,35 +46,35 @@ export function slider(joint: JointInfo, moved: (angle: number) => void): Slider
     return {
       moved(at) {
         const per = (BAR + 2 * MARGIN) / bar.element.getBoundingClientRect().width;
-        put(angleAt(joint, from + (at.clientX - clientX) * per));
+        put(coordinateAt(joint, from + (at.clientX - clientX) * per));
       },
       ended() {},
     };
   });
   element.addEventListener('keydown', (event) => {
-    const by = STEPS[event.key];
+    const by = (ARROWS[event.key] ?? 0) * step + (PAGES[event.key] ?? 0) * page;
     const end = event.key === 'Home' ? joint.reach[0] : event.key === 'End' ? joint.reach[1] : null;
-    if (by === undefined && end === null) return;
+    if (by === 0 && end === null) return;
     event.preventDefault();
-    put(end ?? commanded + (by ?? 0));
+    put(end ?? commanded + by);
   });
   return {
     element,
-    set(actual, goal) {
+    set(actual, goal, units) {
       commanded = goal;
+      if (units !== shown) {
+        shown = units;
+        setAttribute(element, 'aria-valuemin', coordinateNumber(joint, least, units));
+        setAttribute(element, 'aria-valuemax', coordinateNumber(joint, greatest, units));
+        setAttribute(element, 'title', rangeText(joint, units));
+      }
       bar.set(actual);
       setAttribute(thumb, 'transform', `translate(${place(joint, goal).toFixed(2)} 0)`);
-      setAttribute(element, 'aria-valuenow', String(Math.round((goal / DEGREE) * 10) / 10));
-      setAttribute(element, 'aria-valuetext', `${degrees(goal)} degrees, joint at ${degrees(actual)}`);
+      setAttribute(element, 'aria-valuenow', coordinateNumber(joint, goal, units));
+      setAttribute(element, 'aria-valuetext', coordinatesSaid(joint, goal, actual, units));
     },
   };
 }
 
-const STEPS: Readonly<Record<string, number>> = {
-  ArrowRight: STEP,
-  ArrowUp: STEP,
-  ArrowLeft: -STEP,
-  ArrowDown: -STEP,
-  PageUp: PAGE,
-  PageDown: -PAGE,
-};
+const ARROWS: Readonly<Record<string, number>> = { ArrowRight: 1, ArrowUp: 1, ArrowLeft: -1, ArrowDown: -1 };
+const PAGES: Readonly<Record<string, number>> = { PageUp: 1, PageDown: -1 };

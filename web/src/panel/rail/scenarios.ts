@@ -7,8 +7,8 @@ import { dropDown } from '../parts/drop-down';
 import type { Desk } from '../parts/part';
 import { DEMO, scenarioRows } from './scenario-rows';
 
-/** A run counts as flown if a joint has moved by more than this [rad]. */
-const TURNED = 1e-3;
+/** A run counts as flown if a joint has moved by more than this [rad or m]. */
+const MOVED = 1e-3;
 /** A page that connects later than this after the start of a run cannot know whether the arm has moved [s]. */
 const BEGUN_S = 1;
 
@@ -120,7 +120,7 @@ export function scenarioChoice({ welcome, send }: Desk, chosen: (name: string) =
         first = frame;
       }
       const { angles } = first;
-      flown ||= frame.angles.some((angle, i) => Math.abs(angle - (angles[i] ?? angle)) > TURNED);
+      flown ||= frame.angles.some((angle, i) => Math.abs(angle - (angles[i] ?? angle)) > MOVED);
     },
     choose(name) {
       take(known?.scenarios.findIndex((info) => info.name === name && !info.given) ?? -1);

@@ -1,8 +1,10 @@
 /** The payload table of SPEC 94: limits of the steering with each payload; the captured payload is marked. */
 
-import type { Display, Frame, PayloadInfo, Welcome } from '../../link/protocol';
+import type { Display, Frame, JointInfo, PayloadInfo, Welcome } from '../../link/protocol';
 import { degrees, fixed } from '../../words/format';
+import { rateText, rateUnit } from '../../words/joint';
 import type { Unit, Units } from '../../words/units';
+import { jointHead } from '../joints/joint-head';
 import { el, setAttribute, setClass, setText } from '../parts/dom';
 
 export interface PayloadTable {
@@ -12,6 +14,7 @@ export interface PayloadTable {
 
 export function payloadTable({ payloads, joints }: Welcome): PayloadTable {
   const [mass, offset, speed] = [el('i'), el('i'), el('i')];
+  const heads = joints.map((joint) => jointHead(joint, 'col'));
   const head = el(
     'tr',
     {},
@@ -22,11 +25,12 @@ export function payloadTable({ payloads, joints }: Welcome): PayloadTable {
       ['POR from tip ', offset],
       ['Translation ', speed],
       ['Rotation ', el('i', {}, '°/s')],
-      ...joints.map(({ label }) => [label]),
     ].map((words) => el('th', { scope: 'col' }, ...words)),
+    ...heads.map(({ element }) => element),
   );
   const rows = payloads.map((payload) => {
-    const cells = { mass: el('td'), offset: el('td'), translation: el('td') };
+    const rates = joints.map(() => el('td'));
+    const cells = { mass: el('td'), offset: el('td'), translation: el('td'), rates };
     const row = el(
       'tr',
       {},
@@ -36,22 +40,17 @@ export function payloadTable({ payloads, joints }: Welcome): PayloadTable {
       cells.offset,
       cells.translation,
       el('td', {}, both(payload.rotation, turning)),
-      ...payload.coarse.map((rate, i) => el('td', {}, both([rate, payload.vernier[i] ?? 0], turning))),
+      ...rates,
     );
     return { payload, cells, row };
   });
-  const most = joints.map(({ servo }) => turning(servo)).join('  ');
+  const [legend, most] = [el('small'), el('p')];
   const element = el(
     'div',
     { class: 'payload-table' },
-    el(
-      'h3',
-      {},
-      'Payloads ',
-      el('small', {}, 'limits: coarse / vernier; joints in °/s, in SINGLE, DIRECT and MASTER'),
-    ),
+    el('h3', {}, 'Payloads ', legend),
     el('table', {}, el('thead', {}, head), el('tbody', {}, ...rows.map(({ row }) => row))),
-    el('p', {}, `Computed modes limit the joints to the greatest servo rates: ${most} °/s.`),
+    most,
   );
   return {
     element,
@@ -59,6 +58,18 @@ export function payloadTable({ payloads, joints }: Welcome): PayloadTable {
       setText(mass, units.mass.name);
       setText(offset, units.length.name);
       setText(speed, units.speed.name);
+      joints.forEach((joint, i) => {
+        heads[i]?.set(rateUnit(joint, units).name);
+      });
+      const names = [...new Set(joints.map((joint) => rateUnit(joint, units).name))];
+      setText(
+        legend,
+        `limits: coarse / vernier; joints in ${names.join(' or ')}, in SINGLE, DIRECT and MASTER`,
+      );
+      setText(
+        most,
+        `Computed modes limit the joints to the greatest servo rates: ${servoRates(joints, units)}.`,
+      );
       for (const { payload, cells, row } of rows) {
         const held = payload.id === frame.display.payload_id;
         setClass(row, 'held', held);
@@ -69,6 +80,15 @@ export function payloadTable({ payloads, joints }: Welcome): PayloadTable {
           cells.translation,
           both(payload.translation, (value) => figure(value, units.speed)),
         );
+        joints.forEach((joint, i) => {
+          const limits = [payload.coarse[i] ?? 0, payload.vernier[i] ?? 0] as const;
+          const cell = cells.rates[i];
+          if (cell)
+            setText(
+              cell,
+              both(limits, (value) => rateText(joint, value, units)),
+            );
+        });
       }
     },
   };
@@ -79,6 +99,19 @@ function offsetWords({ id }: PayloadInfo, { payload_id, por_offset }: Display, l
   if (id === 0) return 'at the tip';
   if (id !== payload_id) return 'set by capture';
   return por_offset.map((value) => fixed(value * length.perSi, length.decimals)).join('  ');
+}
+
+/** The greatest servo rates, with a unit after each group of joints that have the same unit: `0.200 m/s, 3.00  3.00 °/s`. */
+export function servoRates(joints: readonly Pick<JointInfo, 'servo' | 'slides'>[], units: Units): string {
+  return joints
+    .map((joint, i) => {
+      const { name } = rateUnit(joint, units);
+      const next = joints[i + 1];
+      const rate = rateText(joint, joint.servo, units);
+      if (!next) return `${rate} ${name}`;
+      return next.slides === joint.slides ? `${rate}  ` : `${rate} ${name}, `;
+    })
+    .join('');
 }
 
 function both([coarse, vernier]: readonly [number, number], words: (value: number) => string): string {
