@@ -218,7 +218,7 @@ STARTS = [
         "[initial]\njoints = [0, 9, 0, 0, 0, 0]",
         r"a\.toml:3: initial\.joints: shoulder_pitch.*515\.662 deg.*hard.*-2.*145 deg",
     ),
-    ("[initial]\njoints = ['1 m', 0, 0, 0, 0, 0]", r"a\.toml:3: initial\.joints\[0\]: '1 m'"),
+    ("[initial]\njoints = ['1 m', 0, 0, 0, 0, 0]", r"a\.toml:3: initial\.joints\[0\]: .* got a length, 1 m"),
     ("[initial]\njoints = [0, 1, -1, 0, 0, 0]\nrates = [1, 0, 0, 0, 0, 0]", r"a\.toml:4: initial\.rates: shoulder_yaw"),
     ("[initial.pose]\nframe = 'L'\nposition = [99, 0, 0]", r"a\.toml:2: initial\.pose: .*arm.*reach.*pose"),
     (

@@ -12,8 +12,11 @@ from aftdeck.files import Text
 from aftdeck.report.strips import sources
 from aftdeck.scenario.load import load_scenario
 from aftdeck.scenario.model import Scenario
+from aftdeck.simulation.inputs import Inputs
+from aftdeck.simulation.run import Simulation
 from aftdeck.simulation.series.groups import columns_of, in_series
 from aftdeck.station.conversion.welcome_of import welcome_of
+from aftdeck.task.remaining import Aims
 from tests.commands import Run
 from tests.loaded import CHAINS
 
@@ -62,6 +65,24 @@ def test_columns_strips_and_messages_have_the_unit_of_the_joint() -> None:
     kinds = {source.blank.name: source.blank.quantity for source in sources(made)}
     assert (kinds["Rail"], kinds["Elbow"]) == ("length", "angle")
     assert [joint.slides for joint in welcome_of(made, demo=False).joints] == [True, *[False] * 6]
+
+
+STEP = {"title": "Along the rail", "text": "Go.", "joint": "rail", "joint_at": "1.2 m"}
+
+
+def test_a_step_asks_for_a_length_and_ends_there() -> None:
+    made = given({("step",): [{**STEP, "done": {"within": "1 cm"}}]})
+    sim, (step,), aims = Simulation(made), made.steps, Aims(made)
+    left = aims.remaining(sim.look(), step)
+    assert left is not None and (left.to, left.near) == ("rail", (0.01, 0.01))
+    assert left.distance == pytest.approx(0.7)
+    while not left.arrived and sim.look().time_s < 30.0:
+        sim.step(Inputs(mode="SINGLE", joint=0, drive=1.0 if left.angle > 0.15 else 0.1))
+        left = aims.remaining(sim.look(), step)
+        assert left is not None
+    assert abs(sim.look().angles[0] - 1.2) <= 0.01
+    with pytest.raises(ScenarioError, match="a step with a joint that slides has only within"):
+        given({("step",): [{**STEP, "done": {"within_angle": "1 deg"}}]})
 
 
 def test_commands_print_and_read_lengths(run: Run) -> None:

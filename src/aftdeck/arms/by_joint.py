@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Sequence, Sized
+from collections.abc import Sequence, Sized
 
 from aftdeck.units import OfJoint, with_article
 
@@ -24,19 +24,9 @@ def wrong_unit(joint: str, slides: bool, given: object) -> str:
             moves = "slides" if slides else "turns"
             return (
                 f"{joint} {moves}: expected {with_article(needed.noun)}, such as {needed.example!r}, got "
-                f"{with_article(got.noun)}"
+                f"{with_article(got.noun)}, {value:g} {got.unit}"
             )
     return ""
-
-
-def misfits(joints: Sequence[str], slides: Sequence[bool], given: Sequence[object]) -> Iterator[str]:
-    """Yield why a list from a file does not fit an arm with these joints, of which some slide."""
-    if why := misfit(joints, given):
-        yield why
-        return
-    for joint, kind, value in zip(joints, slides, given, strict=True):
-        if why := wrong_unit(joint, kind, value):
-            yield why
 
 
 def shown(value: float, slides: bool, how: str = "g") -> str:

@@ -48,10 +48,10 @@ def _step(problems: Problems, arm: Arm, spec: StepSpec, references: TargetRefere
     hints = []
     for i, hint in enumerate(spec.hint):
         at = (*where, "hint", i)
-        _check_state(problems, spec, hint.when, references, (*at, "when"))
+        _check_state(problems, arm, spec, hint.when, references, (*at, "when"))
         own = uses if hint.uses is None else _uses(problems, hint.uses, (*at, "uses"))
         hints.append(Hint(hint.when, _marked(problems, hint.text, (*at, "text")), own))
-    _check_state(problems, spec, spec.done, references, (*where, "done"))
+    _check_state(problems, arm, spec, spec.done, references, (*where, "done"))
     joint = _joint(problems, arm, spec, where)
     mode = None if spec.mode is None else chosen_mode(problems, spec.mode, (*where, "mode"))
     return TaskStep(
@@ -72,7 +72,7 @@ def _step(problems: Problems, arm: Arm, spec: StepSpec, references: TargetRefere
 
 
 def _check_state(
-    problems: Problems, spec: StepSpec, state: StateSpec, references: TargetReferences, where: Where
+    problems: Problems, arm: Arm, spec: StepSpec, state: StateSpec, references: TargetReferences, where: Where
 ) -> None:
     """Check that a state gives a field, and that the things it names exist."""
     if state == StateSpec():
@@ -81,8 +81,11 @@ def _check_state(
         problems.add((*where, "mode"), f"no mode {state.mode!r}: modes are {', '.join(MODES)}")
     if state.above is not None and (spec.target is None or (spec.target.cargo, spec.target.seat) == (None, None)):
         problems.add((*where, "above"), "needs a target with `cargo` or `seat` in this step")
-    if spec.joint is not None and (state.within, state.above) != (None, None):
-        problems.add(where, "a step with a joint has only within_angle, not within or above")
+    if spec.joint is not None:
+        slides = spec.joint in arm.joints and arm.model.slides[arm.joints.index(spec.joint)]
+        own, others = ("within", "within_angle") if slides else ("within_angle", "within")
+        if (getattr(state, others), state.above) != (None, None):
+            problems.add(where, f"a step with a joint that {'slides' if slides else 'turns'} has only {own}")
     if references.worksite is None or state.berth is None:
         return
     seats = [seat.name for seat in references.worksite.berths]

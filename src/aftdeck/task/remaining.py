@@ -35,9 +35,10 @@ class Remaining(NamedTuple):
         to: place for the operator: ``pin``, ``above bar``, ``Cargo bay``, ``target``, or a joint's name.
         pose: pose of the tip at this place, in L; None if a joint has to move.
         motion: motion of the tip to this pose, x to R x + p in L; None if a joint has to move.
-        distance: distance that the tip, or the held payload, still has to move [m]; 0 for a joint.
-        angle: remaining rotation [rad]; for a joint, the signed angle.
-        near: distance [m] and angle [rad] within which the tip has arrived.
+        distance: distance that the tip, the held payload or a joint that slides still has to move [m]; 0 for one that
+            turns.
+        angle: remaining rotation [rad]; for a joint, the signed motion [rad or m].
+        near: distance [m] and angle [rad] within which the tip has arrived; for a joint that slides, a length twice.
     """
 
     to: str
@@ -66,7 +67,7 @@ class Aims:
 
     def __init__(self, scenario: Scenario) -> None:
         self.places = Places(scenario)
-        self._joints = scenario.arm.model.joints
+        self._joints, self._slides = scenario.arm.model.joints, scenario.arm.model.slides
         self._fixture = "pin" if scenario.arm.model.prong is None else "bar"
 
     def remaining(self, frame: Frame, step: TaskStep | None) -> Remaining | None:
@@ -77,7 +78,10 @@ class Aims:
         """
         if step is not None and step.joint is not None:
             angle = step.joint_at - frame.angles[step.joint]
-            return Remaining(self._joints[step.joint].replace("_", " "), None, None, 0.0, angle, self._near(step))
+            name, near = self._joints[step.joint].replace("_", " "), self._near(step)
+            if self._slides[step.joint]:
+                return Remaining(name, None, None, abs(angle), angle, (near[0], near[0]))
+            return Remaining(name, None, None, 0.0, angle, near)
         target = self.target(frame, step)
         if target is None and frame.goal is not None and MODES[frame.mode].kind == "automatic":
             goal = Pose(np.array(frame.goal.position), np.array(frame.goal.rotation))
