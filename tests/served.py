@@ -23,5 +23,6 @@ def ask_and_end(*arguments: str) -> None:
                 assert answer.status == 200 and b"<html" in answer.read()
         finally:
             process.terminate()
-        assert process.stderr.read() == ""
+        said = process.stderr.read()
+        assert said == "", said
         process.wait(WAIT_S)
