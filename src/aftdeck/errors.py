@@ -21,7 +21,7 @@ class InputError(AftdeckError, ValueError):
 
 
 class ArmError(AftdeckError):
-    """An arm file that cannot be read, or that does not describe an arm of a known family."""
+    """An arm file that cannot be read, or that does not describe an arm with a closed form."""
 
 
 class LimitError(AftdeckError):

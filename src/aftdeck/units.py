@@ -182,6 +182,13 @@ class LinearDamping(Quantity):
     bounds = Bounds(0.0, 1e12, "the drive of a telescope has about 1e4 N s/m")
 
 
+class LinearStiffness(Quantity):
+    """Stiffness of a joint that slides: any unit of it in files, [N/m] in the program."""
+
+    noun, unit, example = "stiffness", "N/m", "1e6 N/m"
+    bounds = Bounds(0.0, 1e12, "a rod of steel of 1 cm and 1 m has 2e7 N/m")
+
+
 class FlexuralRigidity(Quantity):
     """Rigidity of a beam, EI or GJ: any unit of it in files, [N m2] in the program."""
 
@@ -231,7 +238,7 @@ class Coordinate(OfJoint):
 
     noun, unit, example = "coordinate of a joint", "rad or m", Angle.example
     kinds = Angle, Length
-    bounds = Bounds(-200.0, 200.0, "ten revolutions are 63 rad, and the longest arms measure 20 m", "")
+    bounds = Bounds(-200.0, 200.0, "ten revolutions are 63 rad, and the longest arms measure 20 m")
 
 
 class CoordinateRate(OfJoint):
@@ -240,6 +247,30 @@ class CoordinateRate(OfJoint):
     noun, unit, example = "rate of a joint", "rad/s or m/s", AngularRate.example
     kinds = AngularRate, Speed
     bounds = AngularRate.bounds
+
+
+class JointEffort(OfJoint):
+    """Torque at a joint [N m], or force if it slides [N]."""
+
+    noun, unit, example = "torque or force at a joint", "N*m or N", Torque.example
+    kinds = Torque, Force
+    bounds = Torque.bounds
+
+
+class JointDamping(OfJoint):
+    """Torque for each rad/s of a joint's rate [N m s/rad], or force for each m/s if it slides [N s/m]."""
+
+    noun, unit, example = "damping of a joint", "N*m*s/rad or N*s/m", AngularDamping.example
+    kinds = AngularDamping, LinearDamping
+    bounds = AngularDamping.bounds
+
+
+class JointStiffness(OfJoint):
+    """Stiffness of a joint's gearbox [N m/rad], or that of one that slides [N/m]."""
+
+    noun, unit, example = "stiffness of a joint", "N*m/rad or N/m", AngularStiffness.example
+    kinds = AngularStiffness, LinearStiffness
+    bounds = AngularStiffness.bounds
 
 
 class CoordinateAcceleration(OfJoint):

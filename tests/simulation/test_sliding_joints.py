@@ -6,20 +6,24 @@ import re
 
 import pytest
 
-from aftdeck.arms.load import model_of
+from aftdeck.arms.load import HERE, model_of
 from aftdeck.errors import ScenarioError
-from aftdeck.files import Text
+from aftdeck.files import Text, read
+from aftdeck.operators.pilot import Pilot, pilot
+from aftdeck.operators.spec import OperatorSpec
 from aftdeck.report.strips import sources
 from aftdeck.scenario.load import load_scenario
 from aftdeck.scenario.model import Scenario
 from aftdeck.simulation.inputs import Inputs
 from aftdeck.simulation.run import Simulation
+from aftdeck.simulation.run import run as run_with
 from aftdeck.simulation.series.groups import columns_of, in_series
 from aftdeck.station.conversion.welcome_of import welcome_of
 from aftdeck.task.remaining import Aims
 from tests.commands import Run
 from tests.loaded import CHAINS
 
+SINGLE = {"name": "one", "mode": "SINGLE", "duration": "1 s"}
 RAIL = CHAINS / "rail.toml"
 ANGLES = ["-30 deg", "80 deg", "-100 deg", "-70 deg", "15 deg", "-40 deg"]
 
@@ -44,6 +48,9 @@ def given(changes: dict[object, object]) -> Scenario:
         ({("limits", "servo"): ["1 m/s"] * 7}, "shoulder_yaw turns: expected an angular rate"),
         ({("phase", 2, "joint_at"): "20 deg"}, "rail slides: expected a length"),
         ({("phase", 2, "joint_at"): "6.5 m"}, "outside its hard limits"),
+        ({("phase", 0): {**SINGLE, "joint": "rail", "joint_rate": "1 deg/s"}}, "rail slides: expected a speed"),
+        ({("phase", 0): {**SINGLE, "joint": "elbow", "joint_rate": "1 m/s"}}, "elbow turns: expected an angular rate"),
+        ({("phase", 7, "master"): [0.0, 90.0, *[0.0] * 5]}, "shoulder_yaw: got 90 rad; expected -62.84 to 62.84 rad"),
     ],
 )
 def test_a_value_with_the_unit_of_the_other_kind_is_an_error(changes: dict[object, object], why: str) -> None:
@@ -103,6 +110,17 @@ def test_commands_print_and_read_lengths(run: Run) -> None:
         ('servo = "0.2 m/s"\n', 'servo = "0.2 m/s"\non = "elbow"\n', "takes no on"),
         ('soft = ["-5.9 m", "5.9 m"]', 'soft = ["-7 m", "7 m"]', "got hard -6 to 6 m; soft -7 to 7 m"),
         ('servo = "0.2 m/s"', 'servo = "0.05 m/s"', "got 0.03, 0.1, 0.05 m/s"),
+        ("gain = { value = [2e4,", "gain = { value = ['2e4 N*m*s/rad',", "rail slides: expected a linear damping"),
+        (
+            "friction = { value = [20, 20,",
+            "friction = { value = ['20 N', '20 N',",
+            "shoulder_yaw turns: expected a torque",
+        ),
+        (
+            'kind = "slide"\n',
+            'kind = "slide"\ndriver = "telescope"\n',
+            "the telescope switch: least, greatest, start, rate missing",
+        ),
     ],
 )
 def test_an_arm_file_with_a_wrong_slide_is_an_error(old: str, new: str, why: str) -> None:
@@ -110,3 +128,27 @@ def test_an_arm_file_with_a_wrong_slide_is_an_error(old: str, new: str, why: str
     assert old in text
     with pytest.raises(ScenarioError, match=re.escape(why)):
         model_of(Text("rail.toml", text.replace(old, new, 1)), lambda _: Text("", ""))
+
+
+def test_servo_of_a_slide_may_have_its_units() -> None:
+    text = RAIL.read_text(encoding="utf-8").replace("gain = { value = [2e4,", "gain = { value = ['20 N*s/mm',", 1)
+    servo = model_of(Text("rail.toml", text), lambda _: Text("", "")).servo
+    assert servo is not None and servo.gain[0] == pytest.approx(2e4)
+
+
+@pytest.mark.parametrize("driver", ["telescope", "prong"])
+def test_a_telescope_without_a_prong_or_the_reverse_is_an_error(driver: str) -> None:
+    tables = (HERE / "concept-1972.toml").read_text(encoding="utf-8").split("[[joint]]")
+    (number,) = (k for k, table in enumerate(tables) if f'driver = "{driver}"' in table)
+    tables[number - 1] += "".join(tables.pop(number).partition("[[por]]")[1:])  # the tables behind the last joint stay
+    with pytest.raises(ScenarioError, match="expected both, or neither"):
+        model_of(Text("bad.toml", "[[joint]]".join(tables)), lambda name: read(HERE / name))
+
+
+def test_synthetic_operator_finishes_a_step_of_a_joint_that_slides() -> None:
+    done = {"within": "1 cm", "sticks_released": True}
+    made = given({("step",): [{**STEP, "mode": "SINGLE", "done": done}]})
+    operator = pilot(made, OperatorSpec("perfect"), 1)
+    assert isinstance(operator, Pilot)
+    assert run_with(made, inputs=operator, keep_frames=False).summary.ended == "completed"
+    assert operator.progress.present is None and operator.progress.skipped == ()

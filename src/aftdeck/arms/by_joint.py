@@ -3,9 +3,13 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence, Sized
+from collections.abc import Iterator, Sequence, Sized
 
-from aftdeck.units import OfJoint, with_article
+from aftdeck.bounds import ROTATION, Bounds
+from aftdeck.units import Coordinate, OfJoint, with_article
+
+SLIDE = Bounds(-200.0, 200.0, "the longest arms measure 20 m", "m")
+"""Range of the coordinate of a joint that slides."""
 
 
 def misfit(joints: Sequence[str], given: Sized) -> str:
@@ -26,6 +30,29 @@ def wrong_unit(joint: str, slides: bool, given: object) -> str:
                 f"{joint} {moves}: expected {with_article(needed.noun)}, such as {needed.example!r}, got "
                 f"{with_article(got.noun)}, {value:g} {got.unit}"
             )
+    return ""
+
+
+def misfits(
+    joints: Sequence[str], slides: Sequence[bool], given: Sequence[object]
+) -> Iterator[tuple[tuple[int, ...], str]]:
+    """Yield why a list from a file does not fit an arm with these joints, each with its place in the list."""
+    if why := misfit(joints, given):
+        yield (), why
+        return
+    for i, (joint, kind, value) in enumerate(zip(joints, slides, given, strict=True)):
+        if why := wrong_unit(joint, kind, value):
+            yield (i,), why
+        elif isinstance(value, Coordinate) and (why := implausible([kind], [value])):
+            yield (i,), f"{joint}: {why}"
+
+
+def implausible(slides: Sequence[bool], values: Sequence[float]) -> str:
+    """Return why joints cannot have these coordinates [rad or m], whatever their limits; "" if they can."""
+    for slid, value in zip(slides, values, strict=True):
+        bounds, unit = (SLIDE, "m") if slid else (ROTATION, "rad")
+        if why := bounds.problem(value, unit):
+            return why
     return ""
 
 

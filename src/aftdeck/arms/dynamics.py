@@ -6,7 +6,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from aftdeck.arms.by_joint import misfit
+from aftdeck.arms.by_joint import misfits
 from aftdeck.arms.drives import ServoFile
 from aftdeck.arms.geometry import frozen
 from aftdeck.arms.joints import Turn
@@ -105,11 +105,11 @@ def booms_of(file: ArmFile) -> list[tuple[int, RodLink]]:
 def drive_problems(file: ArmFile) -> list[Problem]:
     """Return a problem for each list without one value for each joint; else, for each brake weaker than its motor."""
     found = [
-        Problem((table, name, "value"), why)
+        Problem((table, name, "value", *where), why)
         for table, names in (("servo", ServoFile.__struct_fields__), ("flexibility", ("gearboxes", "friction")))
         for name in names
         if (constant := getattr(getattr(file, table, None), name, None))
-        and (why := misfit(file.joints, constant.value))
+        for where, why in misfits(file.joints, file.slides, constant.value)
     ]
     if file.flexibility is not None:
         found += [
@@ -125,7 +125,7 @@ def _brake_problems(joints: tuple[str, ...], servo: ServoFile) -> list[Problem]:
     return [
         Problem(
             ("servo", "holding_torque", "value", i),
-            f"{joint}: the brake has to hold at least the motor's torque, {motor:g} N*m; got {brake:g} N*m",
+            f"{joint}: the brake has to hold at least what the motor gives, {motor:g} N*m or N; got {brake:g}",
         )
         for i, (joint, motor, brake) in enumerate(
             zip(joints, servo.torque_limit.value, servo.holding_torque.value, strict=True)

@@ -73,19 +73,19 @@ def linkage_of(file: ArmFile) -> Linkage:
 
     The array of any other chain begins as that of a closed form; it has only the height of a telescope.
     """
-    turns, tip = file.steered, frozen(file.tip.value)
-    axes = frozen([frozen(turn.axis) / length(turn.axis) for turn in turns])
-    steps = np.array([turn.step for turn in turns], dtype=np.float64)
+    steered, tip = file.steered, frozen(file.tip.value)
+    axes = frozen([frozen(joint.axis) / length(joint.axis) for joint in steered])
+    steps = np.array([joint.step for joint in steered], dtype=np.float64)
     first = file.joint[0]
     height = first.travel().start if isinstance(first, Slide) and first.driver else 0.0  # of a telescope
     steps[0, 2] -= height
-    hard = frozen([turn.hard for turn in turns]).tolist()
-    closed = not any(file.slides) and all(turn.weight == 1.0 for turn in turns)
+    hard = frozen([joint.hard for joint in steered]).tolist()
+    closed = not any(file.slides) and all(joint.weight == 1.0 for joint in steered)
     links = closed_form(steps, axes, tip) if closed else None
     if links is None:
         joints = tuple(
-            Joint(frozen(step), axis, slides, turn.weight, (low, high))
-            for step, axis, slides, turn, (low, high) in zip(steps, axes, file.slides, turns, hard, strict=True)
+            Joint(frozen(step), axis, slides, joint.weight, (low, high))
+            for step, axis, slides, joint, (low, high) in zip(steps, axes, file.slides, steered, hard, strict=True)
         )
         links = np.concatenate([[height], [0.0] * 6, [GENERAL], packed_chain(joints, tip, file.turning)])
     return Linkage(
@@ -93,7 +93,7 @@ def linkage_of(file: ArmFile) -> Linkage:
         frozen(steps),
         axes,
         tip,
-        (FOOT, *(frame_of(turn.name) for turn in turns)),
+        (FOOT, *(frame_of(joint.name) for joint in steered)),
         0.0 if file.end_effector_roll is None else float(file.end_effector_roll.value),
         ("rank",) if links[7] == GENERAL else NAMED,
         file.slides,

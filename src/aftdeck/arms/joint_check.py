@@ -37,16 +37,16 @@ def joint_problems(file: ArmFile) -> list[Problem]:
         if joint.name in names[:i]:
             what = f"the joints need different names; {joint.name!r} is already the name of another joint"
             found.append(Problem(("joint", i, "name"), what))
-    numbers = [file.joint.index(turn) for turn in file.steered]
+    numbers = [file.joint.index(joint) for joint in file.steered]
     for limit in limit_problems(file.joints, file.slides, limits_of(file), rates_of(file)):
         found.append(Problem(("joint", numbers[limit.joint], limit.quantity), limit.what))
-    reach = chain_length([turn.step for turn in file.steered], file.tip.value)
+    reach = chain_length([joint.step for joint in file.steered], file.tip.value)
     if reach < SHORTEST:
         what = (
             f"the distances from joint to joint and to the tip are {reach:g} m in all; expected {SHORTEST:g} m or more"
         )
         found.append(Problem(("tip",), what))
-    if not any(turn.weight for turn in file.steered):
+    if not any(joint.weight for joint in file.steered):
         found.append(Problem(("joint",), "every joint has the weight 0, so the sticks would move none"))
     return found or [*_slide_problems(file)]
 
@@ -76,16 +76,24 @@ def _unsourced(file: ArmFile, table: JointFile | LinkFile | None, where: Where, 
 def _slide_problems(file: ArmFile) -> Iterator[Problem]:
     """Yield what is wrong with the joints that switches drive; the laws serve one telescope and one prong."""
     last = file.steered[-1].name
+    if len(file.switched) == 1:
+        what = "the laws place a telescope and a prong together; expected both, or neither"
+        yield Problem(("joint", file.joint.index(file.switched[0])), what)
     for k, slide in enumerate(file.switched):
         least, greatest, start, _ = slide.travel()
         where: Where = ("joint", file.joint.index(slide))
         carrier, along = carrier_of(file, slide), tuple(map(float, slide.axis))
         if slide.driver in (other.driver for other in file.switched[:k]):
             yield Problem((*where, "driver"), f"the {slide.driver} switch already drives another joint")
+        if slide.driver == TELESCOPE and slide.on is not None:
+            yield Problem((*where, "on"), "a telescope is on the foot; leave `on` out")
         if slide.driver == TELESCOPE and (where[1] != 0 or along != (0.0, 0.0, -1.0) or any(slide.step)):
             yield Problem(where, "a telescope is the first joint, at L's origin, with the axis 0, 0, -1")
         if slide.driver == TELESCOPE and (any(file.steered[0].step) or linkage_of(file).links[0] != start):
-            yield Problem(where, "the first joint is at the telescope's end; with a closed form, so is the second")
+            what = (
+                "expected the first joint that steering drives, and with a closed form the second, at its end (no step)"
+            )
+            yield Problem(where, what)
         if slide.driver == PRONG and (carrier != last or along != (0.0, 1.0, 0.0) or any(slide.step)):
             yield Problem(
                 where, f"a prong is on the last joint that steering drives, {last}, with the axis 0, 1, 0 and no step"

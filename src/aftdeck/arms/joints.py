@@ -122,9 +122,11 @@ class Slide(_Moving, frozen=True, kw_only=True, tag="slide"):
         needed, others = (STEERED, SWITCHED) if self.driver is None else (SWITCHED, STEERED)
         if missing := [name for name in needed if getattr(self, name) is None]:
             raise ValueError(f"{self.name} slides, driven by {by}: {', '.join(missing)} missing")
-        if self.driver is None:
-            others = (*others, "on", "facing", "gain", "force")
-        if given := [name for name in others if getattr(self, name) is not None]:
+        others = (*others, *(("on", "facing", "gain", "force") if self.driver is None else ("stick",)))
+        given = [name for name in others if getattr(self, name) is not None]
+        if self.driver is not None and self.weight != 1.0:
+            given.append("weight")
+        if given:
             raise ValueError(f"{self.name} slides, driven by {by}, and takes no {', '.join(given)}")
 
     def travel(self) -> Travel:

@@ -58,12 +58,12 @@ class LimitProblem(NamedTuple):
 
 def limits_of(file: ArmFile) -> Limits:
     """Return the joint limits of a file's arm."""
-    return Limits(*(frozen([getattr(turn, name) for turn in file.steered]) for name in Limits._fields))
+    return Limits(*(frozen([getattr(joint, name) for joint in file.steered]) for name in Limits._fields))
 
 
 def rates_of(file: ArmFile) -> JointRates:
     """Return the rate limits of a file's arm."""
-    return JointRates(*(frozen([getattr(turn, name) for turn in file.steered]) for name in JointRates._fields))
+    return JointRates(*(frozen([getattr(joint, name) for joint in file.steered]) for name in JointRates._fields))
 
 
 def limit_problems(

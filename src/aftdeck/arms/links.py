@@ -136,11 +136,11 @@ class Link:
 
 def rods_of(file: ArmFile) -> Iterator[tuple[Where, str, Link]]:
     """Yield the links that are rods: the place of each in the file, the frame that carries it, and the link."""
-    ends = [*(np.array(turn.step, dtype=np.float64) for turn in file.steered[1:]), np.array(file.tip.value)]
+    ends = [*(np.array(joint.step, dtype=np.float64) for joint in file.steered[1:]), np.array(file.tip.value)]
     links: list[tuple[Where, str, LinkFile | None, Array]] = [(("foot",), FOOT, file.foot, np.zeros(3))]
     links += [
-        (("joint", file.joint.index(turn), "link"), frame_of(turn.name), turn.link, end)
-        for turn, end in zip(file.steered, ends, strict=True)
+        (("joint", file.joint.index(joint), "link"), frame_of(joint.name), joint.link, end)
+        for joint, end in zip(file.steered, ends, strict=True)
     ]
     for where, frame, link, end in links:
         if isinstance(link, RodLink):

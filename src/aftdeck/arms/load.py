@@ -261,7 +261,7 @@ def _model(source: Text, shapes: Text | None) -> ArmModel:
         labels=file.labels,
         linkage=linkage_of(file),
         switched=switched_of(file),
-        master=tuple(turn.stick for turn in file.steered),
+        master=tuple(joint.stick for joint in file.steered),
         covered=not any(isinstance(body, BlockBody) for body in file.bodies),
         mount=mount,
         limits=limits_of(file),

@@ -91,10 +91,10 @@ def masses_of(model: ArmModel) -> ArmMasses:
 
 def _massless(file: ArmFile, bodies: Mapping[str, object]) -> Iterator[str]:
     """Yield the name of each joint without mass behind it; where the next joint has the same centre, none is needed."""
-    ends = [*(turn.step for turn in file.steered[1:]), None]
-    for turn, end in zip(file.steered, ends, strict=True):
-        if frame_of(turn.name) not in bodies and (end is None or any(end)):
-            yield turn.name
+    ends = [*(joint.step for joint in file.steered[1:]), None]
+    for joint, end in zip(file.steered, ends, strict=True):
+        if frame_of(joint.name) not in bodies and (end is None or any(end)):
+            yield joint.name
     for slide in file.switched:
         if frame_of(slide.name) not in bodies:
             yield slide.name

@@ -69,7 +69,7 @@ class ArmFile(Part, frozen=True, kw_only=True):
     sources: SourcesFile = SourcesFile()
     joint: Joints
     tip: Constant[Place]
-    """Vector from the centre of the last joint that turns to the tip."""
+    """Vector from the centre of the last joint that steering drives to the tip."""
     end_effector_roll: Constant[Angle] | None = None
     """Angle about axis 1 from the tip's axes to the end effector's own axes; 0 without it."""
     singular: Constant[Threshold]
@@ -87,7 +87,7 @@ class ArmFile(Part, frozen=True, kw_only=True):
     flexibility: FlexibilityFile | None = None
     """Springs; a flexible plant needs them."""
     bodies: tuple[BodyFile, ...] = ()
-    """Collision bodies of the arm; they are also drawn if the file names no file of shapes."""
+    """Collision bodies of the arm; they are also drawn for every frame for which no file of shapes has any."""
     shapes: str | None = None
 
     @property

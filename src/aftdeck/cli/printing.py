@@ -26,8 +26,10 @@ def print_summary(s: Summary, slides: Sequence[bool]) -> None:
 
     ended = {"completed": "completed", "time": "ended by its duration", "fault": "ENDED IN A FAULT"}[s.ended]
     print_line(f"{s.scenario}: {ended} after {s.time_s:.2f} s" + (f", in phase {s.phase!r}" if s.phase else ""))
-    joints = [shown(q, slid, ".3f").removesuffix(" deg") for q, slid in zip(s.joints_rad, slides, strict=True)]
-    print_line("  joints     " + "  ".join(joints) + "  deg")
+    joints = [shown(q, slid, ".3f") for q, slid in zip(s.joints_rad, slides, strict=True)]
+    if not any(slides):
+        joints = [*(joint.removesuffix(" deg") for joint in joints), "deg"]
+    print_line("  joints     " + "  ".join(joints))
     print_line("  tip in L   " + "  ".join(f"{x:.4f}" for x in s.tip.position_m) + "  m")
     if s.position_error_m is not None and s.rotation_error_rad is not None:
         print_line(f"  error      {s.position_error_m * 1e3:.4f} mm, {math.degrees(s.rotation_error_rad):.5f} deg")

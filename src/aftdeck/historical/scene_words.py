@@ -117,7 +117,7 @@ class _SceneProgram:
         if not control.finger_inhibited:
             spacing = min(max(spacing - control.prong * self._prong.rate * self._period, closest), widest)
         angles = now.angles if control.arm_inhibited else block.angles
-        payload = self._carried(work.cargo, angles, stand, held=control.mode != ACQUISITION)
+        payloads = self._carried(work.cargo, angles, stand, held=control.mode != ACQUISITION)
         self._last = msgspec.structs.replace(
             now,
             tick=self._tick,
@@ -131,7 +131,7 @@ class _SceneProgram:
                 nearest=None,
                 stand=stand,
                 hand=msgspec.structs.replace(work.hand, spacing=spacing),
-                cargo=payload,
+                cargo=payloads,
             ),
         )
         return self._last

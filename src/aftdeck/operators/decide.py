@@ -122,9 +122,12 @@ def moved(
         return Inputs()
     if step.joint is not None:
         limit = frame.rate_limits[step.joint]
-        angle = step.joint_at - frame.angles[step.joint]
-        drive = deflection(angle, Axis(limit, speeds.por.angular_acceleration, 0.0), speeds)
-        arrived = done.within_angle is not None and abs(angle) < LINED_UP * done.within_angle
+        left_of_joint = step.joint_at - frame.angles[step.joint]
+        slides = done.within is not None  # only then is the end of such a step a length
+        stops = speeds.por.acceleration if slides else speeds.por.angular_acceleration
+        drive = deflection(left_of_joint, Axis(limit, stops, 0.0), speeds)
+        within = done.within if slides else done.within_angle
+        arrived = within is not None and abs(left_of_joint) < LINED_UP * within
         return Inputs(joint=step.joint, drive=0.0 if arrived else drive)
     if step.target is not None and remaining is not None:
         left = along_sticks(remaining, frame, axes)

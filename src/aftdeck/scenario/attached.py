@@ -17,10 +17,10 @@ class Grasp:
         held: number, from 1, of the payload that is attached at present; 0 for none.
     """
 
-    def __init__(self, payload: HeldPayload | None, *, cargo: bool) -> None:
+    def __init__(self, payload: HeldPayload | None, *, takes_others: bool) -> None:
         self.payloads = [] if payload is None else [payload]
         self.held = len(self.payloads)
-        self._takes_others = cargo
+        self._takes_others = takes_others
 
     @property
     def loaded(self) -> bool:

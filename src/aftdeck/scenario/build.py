@@ -84,7 +84,7 @@ def build(
         problems.add(
             ("mode",), f"{mode.position} moves a payload, but the end effector holds none: give initial.grasped"
         )
-    grasp = Grasp(payload, cargo=bool(payloads))
+    grasp = Grasp(payload, takes_others=bool(payloads))
     phases = script(problems, arm, spec.phase, grasp, spec.limits.por, sequences, references)
     if spec.next is not None and not (BUILT_IN / f"{spec.next}.toml").is_file():
         problems.add(("next",), f"no built-in scenario {spec.next!r}")

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from aftdeck.arms.by_joint import misfit, wrong_unit
+from aftdeck.arms.by_joint import misfits
 from aftdeck.arms.load import ArmModel
 from aftdeck.files import Where
 from aftdeck.scenario.problems import Problems
@@ -19,11 +19,7 @@ def fits(problems: Problems, model: ArmModel, given: Sequence[object], where: Wh
         given: the list in the file.
         where: its place in the file.
     """
-    if why := misfit(model.joints, given):
-        problems.add(where, why)
-        return False
-    kinds = zip(model.joints, model.slides, given, strict=True)
-    wrong = {i: why for i, (joint, slides, value) in enumerate(kinds) if (why := wrong_unit(joint, slides, value))}
-    for i, why in wrong.items():
-        problems.add((*where, i), why)
-    return not wrong
+    found = list(misfits(model.joints, model.slides, given))
+    for at, why in found:
+        problems.add((*where, *at), why)
+    return not found

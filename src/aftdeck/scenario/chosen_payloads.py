@@ -23,7 +23,7 @@ def present_payloads(problems: Problems, worksite: Worksite | None, specs: Seque
     if worksite is None:
         return ()
     available = {payload.name: payload for payload in worksite.payloads}
-    seats = {seat.name: seat for seat in worksite.berths}
+    berths = {berth.name: berth for berth in worksite.berths}
     present: list[Payload] = []
     for i, spec in enumerate(specs):
         if spec.name not in available:
@@ -48,14 +48,13 @@ def present_payloads(problems: Problems, worksite: Worksite | None, specs: Seque
         if spec.start is not None:
             try:
                 payload = msgspec.structs.replace(
-                    payload, start=start_of(spec.start, seats, payload.probe, payload.trunnions)
+                    payload, start=start_of(spec.start, berths, payload.probe, payload.trunnions)
                 )
             except ValueError as error:
                 problems.add(("cargo", i, "start"), str(error))
         present.append(payload)
     occupied = [payload.start.berth for payload in present if payload.start.berth]
-    for seat in sorted({seat for seat in occupied if occupied.count(seat) > 1}):
-        problems.add(
-            ("cargo",), f"the berth {seat!r} holds one payload, but {occupied.count(seat)} payloads start in it"
-        )
+    for berth in sorted({berth for berth in occupied if occupied.count(berth) > 1}):
+        what = f"the berth {berth!r} holds one payload, but {occupied.count(berth)} payloads start in it"
+        problems.add(("cargo",), what)
     return tuple(present)

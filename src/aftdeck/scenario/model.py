@@ -52,8 +52,8 @@ class PhasePlan:
         angular_velocity: omega_C', which replaces the RHC [rad/s]; if None, the RHC is used.
         joint: selected joint, from 0.
         drive: SINGLE/DIRECT DRIVE in [-1, 1].
-        joint_rate: theta_dot_C', which replaces the drive [rad/s]; if None, `drive` is used.
-        joint_at: angle to which the joint moves [rad]; if None, `drive` or `joint_rate` is used.
+        joint_rate: theta_dot_C', which replaces the drive [rad/s or m/s]; if None, `drive` is used.
+        joint_at: coordinate to which the joint moves [rad or m]; if None, `drive` or `joint_rate` is used.
         target: final tip pose, or a relative target, whose pose is computed as the phase begins; None for no target.
         law: steering law of the automatic modes, one of the report's modes 1 to 3; None for no change.
         payload_axes: whether ORB LD rotates in payload axes; None for no change.

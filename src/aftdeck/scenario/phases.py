@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+from aftdeck.arms.by_joint import wrong_unit
 from aftdeck.errors import InputError
 from aftdeck.files import Where, place
 from aftdeck.kinematics.arm import Arm
@@ -200,6 +201,8 @@ def _check_single(problems: Problems, arm: Arm, phase: Phase, mode: Mode, joint:
         problems.add(where, f"mode {mode.position} needs a joint")
     if phase.joint_at is None and phase.duration is None:
         problems.add(where, f"mode {mode.position} needs either joint_at, or a duration with drive or joint_rate")
+    if phase.joint in arm.joints and (why := wrong_unit(phase.joint, arm.model.slides[joint], phase.joint_rate)):
+        problems.add((*where, "joint_rate"), why)
     if phase.joint_at is None:
         return
     for name, given in (("drive", phase.drive != 0.0), ("joint_rate", phase.joint_rate is not None)):

@@ -54,9 +54,7 @@ _FAST_JOINT = "the Shuttle's joints turn at 0.09 rad/s at most, small arms at ab
 _JOINT_SOON = "a joint reaches its greatest rate in 0.1 s to minutes"
 JointRate = Annotated[CoordinateRate, Bounds(1e-6, 10.0, _FAST_JOINT)]
 """Limit of a joint's rate."""
-JointAcceleration = Annotated[
-    CoordinateAcceleration, Bounds(1e-6, 100.0, "a joint reaches its greatest rate in 0.1 s to minutes")
-]
+JointAcceleration = Annotated[CoordinateAcceleration, Bounds(1e-6, 100.0, _JOINT_SOON)]
 """Limit of a joint's acceleration."""
 StartRates = tuple[CoordinateRate, ...]
 """Rate of each joint at the start, in either direction."""

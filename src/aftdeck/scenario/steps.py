@@ -88,9 +88,9 @@ def _check_state(
             problems.add(where, f"a step with a joint that {'slides' if slides else 'turns'} has only {own}")
     if references.worksite is None or state.berth is None:
         return
-    seats = [seat.name for seat in references.worksite.berths]
-    if state.berth not in seats:
-        problems.add((*where, "berth"), f"no berth {state.berth!r}: berths are {', '.join(seats) or 'none'}")
+    berths = [berth.name for berth in references.worksite.berths]
+    if state.berth not in berths:
+        problems.add((*where, "berth"), f"no berth {state.berth!r}: berths are {', '.join(berths) or 'none'}")
 
 
 def _joint(problems: Problems, arm: Arm, spec: StepSpec, where: Where) -> int | None:

@@ -95,7 +95,8 @@ class StateSpec(_Part, frozen=True):
 
     `looked`: since the step began, the operator has put another camera on a monitor. `moved` and `turned`: since the
     step began, the tip has moved or turned at least this far. `within` and `within_angle`: the tip is at most this far
-    from the step's target, and turned from it by at most this angle; with the step's `joint`, only the angle counts. A
+    from the step's target, and turned from it by at most this angle; with the step's `joint`, only the angle counts,
+    or only the length if it slides. A
     step without a target uses the target of the automatic mode. `above`: the tip is at least this far from its pose at
     the target's payload, or the held payload from its pose in the target's berth, measured along the way out like
     `above` of a target. `sticks_released`: no stick is deflected; `at_rest`: and

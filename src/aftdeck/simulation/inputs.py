@@ -8,7 +8,8 @@ from typing import Literal, get_args, get_origin, get_type_hints
 
 import msgspec
 
-from aftdeck.bounds import COMPONENT, COORDINATE, ROTATION, Bounds
+from aftdeck.arms.by_joint import implausible
+from aftdeck.bounds import COMPONENT, COORDINATE, Bounds
 from aftdeck.errors import InputError
 from aftdeck.kinematics.arm import Arm
 from aftdeck.scenario.disturbance import MOST_DISTURBANCES, Disturbance
@@ -108,8 +109,8 @@ class Inputs(msgspec.Struct, frozen=True):
         if self.master is not None:
             if len(self.master) != number:
                 raise InputError(f"master: got {len(self.master)} joint angles, expected {number}")
-            if not all(_is_plausible(angle, ROTATION) for angle in self.master):
-                raise self._error("master")
+            if why := implausible(arm.model.slides, self.master):
+                raise InputError(f"master: {why}")
         if self.target is not None:
             _check_target(arm, self.target)
 
@@ -150,7 +151,7 @@ EXPECTED: dict[str, str] = {
     **{name: _either(positions) for name, positions in POSITIONS.items()},
     "mode": f"the name of a panel position, printable and of at most {LONGEST_NAME} characters",
     "joint": "the number of a joint, from 0",
-    "master": f"a finite angle of each joint [rad], from {ROTATION.least:g} to {ROTATION.greatest:g}",
+    "master": "a finite coordinate of each joint [rad or m]",
     "camera": "a CameraDrive",
     "disturbances": f"at most {MOST_DISTURBANCES} Disturbances: each on a body, with a force (3,) and a torque (3,)",
     "target": "a Target: a position (3,), a rotation (3, 3), and the joint angles or None",
@@ -174,16 +175,16 @@ def _check_target(arm: Arm, target: Target) -> None:
     for what, values, bounds in (
         ("position", position, COORDINATE),
         ("rotation", components, COMPONENT),
-        ("joints", joints or (), ROTATION),
     ):
         wrong = next((value for value in values if not _is_plausible(value, bounds)), None)
         if wrong is not None:
-            unit = "m" if bounds is COORDINATE else "rad" if bounds is ROTATION else ""
-            raise InputError(f"target: {what}: {bounds.problem(wrong, unit)}")
+            raise InputError(f"target: {what}: {bounds.problem(wrong, 'm' if bounds is COORDINATE else '')}")
     if joints is None:
         return
     if len(joints) != len(arm.joints):
         raise InputError(f"target: joints: got {len(joints)} joint angles, expected {len(arm.joints)}")
+    if why := implausible(arm.model.slides, joints):
+        raise InputError(f"target: joints: {why}")
     tip = arm.forward(joints)
     distance = math.dist(tip.position, position)
     chord = math.dist(tip.rotation.ravel(), components)  # detects non-rotations, too

@@ -19,7 +19,7 @@ from aftdeck.simulation.operator.panel import make_ready
 from aftdeck.simulation.parts.worksite_state import WorksiteState
 from aftdeck.simulation.payloads.capture import capture
 from aftdeck.simulation.payloads.contact_log import log_contacts
-from aftdeck.simulation.payloads.fixing import seat
+from aftdeck.simulation.payloads.fixing import update_berths
 from aftdeck.simulation.payloads.forces import watch_forces
 from aftdeck.simulation.payloads.free_contact import drifted
 from aftdeck.simulation.payloads.grasp import carried_by
@@ -62,7 +62,7 @@ def update_worksite(flight: Flight, state: State, log: Log, inputs: Inputs) -> N
         worksite.advice = None
     in_grasp, attached = worksite.in_grasp, state.script.attached > 0
     capture(flight, worksite, plant, state.panel, log, inputs, attached=attached)
-    seat(flight, worksite, plant, log, state.tick, inputs.latch)
+    update_berths(flight, worksite, plant, log, state.tick, inputs.latch)
     if worksite.in_grasp != in_grasp:
         state.carried = carried_by(flight.scenario, site, worksite, state.script)
     if worksite.arm_fixed != was_fixed and state.panel.sequence != "in progress":

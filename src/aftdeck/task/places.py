@@ -36,8 +36,8 @@ class Places:
 
     def payload(self, frame: Frame, k: int) -> Pose:
         """Return the pose of payload k."""
-        payloads = frame.work.cargo[k]
-        return _pose(payloads.position, payloads.orientation)
+        payload = frame.work.cargo[k]
+        return _pose(payload.position, payload.orientation)
 
     def carrier(self, frame: Frame, name: str) -> Pose:
         """Return the pose of a coordinate frame: ``orbiter``, ``space``, or a payload's."""

@@ -38,10 +38,10 @@ def sampled_poses(scenario: Scenario, frames: tuple[str, ...]) -> Array:
                 row[k, 0] += 0.0 if name == "orbiter" else _AWAY * (1 + k)
         rows.append(row)
     for payload in scenario.payloads:
-        for seat in scenario.worksite.berths:
-            if payload.name in frames and not seat.lacks(payload.probe, payload.trunnions):
+        for berth in scenario.worksite.berths:
+            if payload.name in frames and not berth.lacks(payload.probe, payload.trunnions):
                 row = np.tile(np.array(HERE), (len(frames), 1))
                 row[:, 0] += [_AWAY * (1 + k) * (name not in STILL) for k, name in enumerate(frames)]
-                row[frames.index(payload.name)] = row_of(seat.seated(payload.probe))
+                row[frames.index(payload.name)] = row_of(berth.seated(payload.probe))
                 rows.append(row)
     return np.array(rows)

@@ -611,7 +611,7 @@ export interface PressLatch {
 export interface SetMaster {
   readonly type: 'master';
   readonly seq: number;
-  /** Joint angles of the master arm [rad]. */
+  /** Joint angles of the master arm [rad]; lengths of joints that slide [m]. */
   readonly angles: readonly number[];
 }
 
@@ -1488,11 +1488,11 @@ export interface ToGo {
   readonly translation: Vec3 | null;
   /** Rotation vector about the axes of the sticks: roll, pitch, yaw [rad]; null without sticks. */
   readonly rotation: Vec3 | null;
-  /** Distance to the place [m]; 0 for a joint. */
+  /** Distance to the place, or of a joint that slides [m]; 0 for a joint that turns. */
   readonly distance: number;
-  /** Rotation that is left [rad]; for a joint, the signed angle. */
+  /** Rotation that is left [rad]; for a joint, its signed motion [rad or m]. */
   readonly angle: number;
-  /** Distance [m] and angle [rad] within which the place is reached. */
+  /** Distance [m] and angle [rad] within which the place is reached; for a joint that slides, a length twice. */
   readonly near: Vec2;
   /** Speed at which the distance becomes smaller [m/s]; negative if it grows, null if it is not known. */
   readonly closing: number | null;
@@ -1599,7 +1599,7 @@ export interface Ahead {
   readonly stopping: number;
   /** Joint nearest to a reach limit at the end of the time span, from 0. */
   readonly joint: number;
-  /** Angle from this joint to its reach limit at the end of the time span [rad]; negative past the limit. */
+  /** Motion from this joint to its reach limit at the end of the time span [rad or m]; negative past the limit. */
   readonly room: number;
   /** Seven numbers for each body of `Welcome.ghost`, as in `Display.poses`. */
   readonly poses: readonly number[];

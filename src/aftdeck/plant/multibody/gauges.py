@@ -31,7 +31,8 @@ class Gauges:
     def __init__(self, view: View, arm: ArmModel) -> None:
         model = view.model
         self._model, self._data = model, view.data
-        booms = [model.body(arm.linkage.frames[row]).id for row in arm.linkage.arms[:2]]
+        rows = (*arm.linkage.arms, arm.linkage.arms[-1])[:2]  # an arm with one joint has both cuts at it
+        booms = [model.body(arm.linkage.frames[row]).id for row in rows]
         self._bodies = np.array([*booms, model.body("payload").id])
         self._axes = np.array([*booms, model.body(arm.linkage.frames[-1]).id])
         self._roots = np.array(model.body_rootid[self._bodies], dtype=np.int64)

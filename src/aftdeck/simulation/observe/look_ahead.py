@@ -80,7 +80,10 @@ class Ahead(msgspec.Struct, frozen=True, gc=False):
     joint: int
     """Joint nearest to a reach limit at that time, from 0."""
     room: float
-    """Distance of that joint from its reach limit at that time; negative past the limit [rad]."""
+    """Distance of that joint from its reach limit at that time; negative past the limit [rad or m].
+
+    Joints that turn and joints that slide are compared by these numbers.
+    """
 
 
 def look_ahead(flight: Flight, state: State, seconds: float, last: Axis | None = None) -> Ahead:

@@ -135,5 +135,5 @@ def _hand(flight: Flight, worksite: WorksiteState, *, loaded: bool) -> Hand:
 
 def _cargo(site: Site, worksite: WorksiteState, k: int, period: float) -> Cargo:
     position, orientation, velocity = moving(worksite.frames, worksite.before, site.payload_row(k), period)
-    thing = worksite.payloads[k]
-    return Cargo(site.payloads[k].name, position, orientation, velocity, thing.held, thing.berth)
+    payload = worksite.payloads[k]
+    return Cargo(site.payloads[k].name, position, orientation, velocity, payload.held, payload.berth)

@@ -22,7 +22,7 @@ def resolve_target(flight: Flight, worksite: WorksiteState, target: RelativeTarg
     site, frames = flight.site, worksite.frames
     match target:
         case AtBerth():
-            return _at_seat(site, worksite, target)
+            return _at_berth(site, worksite, target)
         case AtPayload(payload=k):
             over = row_of(at_payload(flight.scenario.arm.model, site.payloads[k], target))
             return target_at(pose_of(_composed(frames[site.payload_row(k)], over)))
@@ -31,7 +31,7 @@ def resolve_target(flight: Flight, worksite: WorksiteState, target: RelativeTarg
             return target_at(pose_of(_composed(carrier, row_of(target.pose))))
 
 
-def _at_seat(site: Site, worksite: WorksiteState, target: AtBerth) -> Target | str:
+def _at_berth(site: Site, worksite: WorksiteState, target: AtBerth) -> Target | str:
     """Return the tip pose with which the held payload is in a berth, or at the target's distance above the berth.
 
     Returns:

@@ -52,8 +52,8 @@ def capture(
     else:
         empty_grasp(site, worksite, panel, log, k)
         stay_or_leave(flight, worksite, plant, log, k)
-        seat = worksite.payloads[k].berth
-        where = f"it stays in the {site.berth(seat).title}" if seat else "it is free"
+        berth = worksite.payloads[k].berth
+        where = f"it stays in the {site.berth(berth).title}" if berth else "it is free"
         log.add("released", "info", f"{site.payloads[k].title} released: {where}")
 
 

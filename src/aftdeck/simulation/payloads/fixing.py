@@ -28,7 +28,7 @@ from aftdeck.worksite.conditions import Condition, Units, all_hold, failure_text
 from aftdeck.worksite.draw_in import remaining
 
 
-def seat(
+def update_berths(
     flight: Flight, worksite: WorksiteState, plant: PlantState, log: Log, tick: int, pressed: Pressed | None
 ) -> None:
     """Fix payloads to berths that close by themselves, move latches, and execute LATCH or UNLATCH (`pressed`).

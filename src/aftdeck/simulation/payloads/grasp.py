@@ -94,14 +94,14 @@ def _payload(site: Site, k: int, grasp: Array) -> HeldPayload:
     inside = np.empty(POSE)
     relative(site.hand, grasp, inside)
     rotation = inside[3:].reshape(3, 3).copy()
-    payloads = site.payloads[k]
+    payload = site.payloads[k]
     return HeldPayload(
-        payloads.mass,
+        payload.mass,
         rotation,
         product(rotation.T, inside[:3]),
         np.zeros(3),
-        inertia=payloads.inertia,
-        centre_of_mass=payloads.centre_of_mass,
+        inertia=payload.inertia,
+        centre_of_mass=payload.centre_of_mass,
     )
 
 

@@ -32,8 +32,8 @@ def _task(site: Site, worksite: WorksiteState) -> int:
     held = worksite.held
     if held is None:
         return ACQUISITION
-    seat = worksite.payloads[held].berth
-    if seat and site.berth(seat).docks:
+    berth = worksite.payloads[held].berth
+    if berth and site.berth(berth).docks:
         return DOCKED
     return EXTRACTION if in_bay(site, worksite.watch.placed, held) else MANOEUVRING
 

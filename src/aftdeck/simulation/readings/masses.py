@@ -161,7 +161,7 @@ LOADS = _with_masses(
                 "greatest",
                 "peak_torque",
                 "Peak torque",
-                "Greatest torque of motor or brake about joint {k} at the end of a step.",
+                "Greatest torque of motor or brake about joint {k} at the end of a step; the force [N] if it slides.",
                 detail=_when,
             ),
         ),

@@ -80,11 +80,11 @@ def _aimed_at(scenario: Scenario, samples: list[ArmPose], points: list[Array]) -
 
     The points (3,), in L, are used in turn: the first pose is turned to the first point, the second pose to the second
     point, and so on. Poses whose first joint would be outside its soft stops are omitted. A boom contains a given point
-    in 1 of 10 000 random poses, but in 1 of 50 returned poses.
+    in 1 of 10 000 random poses, but in 1 of 50 returned poses. There are none if the first joint slides.
     """
-    if not points:
-        return []
     model = scenario.arm.model
+    if not points or model.slides[0]:
+        return []
     low, high = model.limits.soft[0]
     middle = 0.5 * model.limits.soft.sum(axis=1)
     turned = middle.copy()
@@ -144,11 +144,11 @@ def _on_payloads(scenario: Scenario, cameras: list[Camera]) -> Iterator[Problem]
         own = [camera for camera in cameras if camera.body == payload.name]
         for how, hand in hands(scenario.arm.model, scenario.worksite, payload).items():
             yield from _inside_parts(scenario, own, hand, f"with the end effector at the payload's bar, prong {how}")
-        for seat in scenario.worksite.berths:
-            if seat.lacks(payload.probe, payload.trunnions):
+        for berth in scenario.worksite.berths:
+            if berth.lacks(payload.probe, payload.trunnions):
                 continue
-            around = parts_at(scenario.worksite.solids, inverted(seat.seated(payload.probe)))
-            yield from _inside_parts(scenario, own, around, f"with {payload.name} in the seat {seat.name!r}")
+            around = parts_at(scenario.worksite.solids, inverted(berth.seated(payload.probe)))
+            yield from _inside_parts(scenario, own, around, f"with {payload.name} in the berth {berth.name!r}")
 
 
 def _inside_parts(scenario: Scenario, cameras: list[Camera], around: Parts, how: str) -> Iterator[Problem]:

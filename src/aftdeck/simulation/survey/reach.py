@@ -36,7 +36,7 @@ def reach(scenario: Scenario) -> Iterator[Problem]:
         if payload.start.berth and takes(model, payload):
             tip = composed(payload.start.pose, at_payload(model, payload, AtPayload(k)))
             if why := _beyond(scenario, tip, stand):
-                where = f"in the seat {payload.start.berth!r}"
+                where = f"in the berth {payload.start.berth!r}"
                 yield Problem(("cargo", k), f"the end effector cannot reach {payload.name} {where}: {why}")
     for target in _script_targets(scenario):
         if why := _beyond(scenario, target.tip, target.stand):
@@ -52,7 +52,7 @@ def _script_targets(scenario: Scenario) -> Iterator[_ScriptTarget]:
     payload moves in free flight, or an earlier phase moved it to a berth and ended with an event such as docking.
     """
     model, payloads, start = scenario.arm.model, scenario.payloads, scenario.start
-    seats = {seat.name: seat for seat in scenario.worksite.berths}
+    berths = {berth.name: berth for berth in scenario.worksite.berths}
     still = [
         not (payload.limit_cycle or payload.start.velocity.any() or payload.start.rates.any()) for payload in payloads
     ]
@@ -76,7 +76,7 @@ def _script_targets(scenario: Scenario) -> Iterator[_ScriptTarget]:
                 if payload.name in poses:
                     tip = composed(poses[payload.name], tip_in_payload)
             case AtBerth(berth=name) as place if tip_in_payload is not None:
-                payload, seat = payloads[held], seats[name]
+                payload, seat = payloads[held], berths[name]
                 if phase.until is not None:  # the phase ends as soon as the berth fixes the payload
                     place = msgspec.structs.replace(place, above=max(place.above, seat.distance))
                 poses[payload.name] = at_berth(seat, payload, place)

@@ -127,8 +127,8 @@ def _flexures(scenario: Scenario) -> tuple[FlexureInfo, ...]:
 
 def _ghost(scenario: Scenario, count: int) -> tuple[int, ...]:
     """Return the indices of the arm's bodies and the payloads in `Welcome.bodies`, which has `count` entries."""
-    first, payload = len(scenario.worksite.bodies), len(scenario.payloads)
-    return (*range(first, first + len(scenario.arm.model.frames)), *range(count - payload, count))
+    first, payloads = len(scenario.worksite.bodies), len(scenario.payloads)
+    return (*range(first, first + len(scenario.arm.model.frames)), *range(count - payloads, count))
 
 
 def _has_points(scenario: Scenario, mode: Mode) -> bool:

@@ -84,7 +84,7 @@ class Ahead(msgspec.Struct, frozen=True):
     joint: int
     """Joint nearest to a reach limit at the end of the time span, from 0."""
     room: float
-    """Angle from this joint to its reach limit at the end of the time span [rad]; negative past the limit."""
+    """Motion from this joint to its reach limit at the end of the time span [rad or m]; negative past the limit."""
     poses: tuple[float, ...]
     """Seven numbers for each body of `Welcome.ghost`, as in `Display.poses`."""
 
@@ -114,11 +114,11 @@ class ToGo(msgspec.Struct, frozen=True, gc=False):
     rotation: Vec3 | None
     """Rotation vector about the axes of the sticks: roll, pitch, yaw [rad]; null without sticks."""
     distance: float
-    """Distance to the place [m]; 0 for a joint."""
+    """Distance to the place, or of a joint that slides [m]; 0 for a joint that turns."""
     angle: float
-    """Rotation that is left [rad]; for a joint, the signed angle."""
+    """Rotation that is left [rad]; for a joint, its signed motion [rad or m]."""
     near: tuple[float, float]
-    """Distance [m] and angle [rad] within which the place is reached."""
+    """Distance [m] and angle [rad] within which the place is reached; for a joint that slides, a length twice."""
     closing: float | None
     """Speed at which the distance becomes smaller [m/s]; negative if it grows, null if it is not known."""
     shift: tuple[float, ...]

@@ -273,7 +273,7 @@ class SetMaster(WireMessage, frozen=True, tag="master"):
 
     seq: Seq
     angles: Joints
-    """Joint angles of the master arm [rad]."""
+    """Joint angles of the master arm [rad]; lengths of joints that slide [m]."""
 
 
 class Initialise(WireMessage, frozen=True, tag="initialise"):

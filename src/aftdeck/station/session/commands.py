@@ -7,8 +7,8 @@ from collections.abc import Collection, Sequence
 import msgspec
 import numpy as np
 
+from aftdeck.arms.by_joint import implausible
 from aftdeck.bodies.cameras import Camera
-from aftdeck.bounds import ROTATION
 from aftdeck.errors import CommandError
 from aftdeck.kinematics.arm import Arm
 from aftdeck.matrices import lengths
@@ -113,8 +113,8 @@ def check_switch(message: from_page.FromPage, welcome: Welcome) -> None:
             raise CommandError(f"joints are numbered 0 to {len(welcome.joints) - 1}, got {joint}")
         case from_page.SetMaster(angles=angles) if len(angles) != len(welcome.joints):
             raise CommandError(f"the master arm has {len(welcome.joints)} joints, got {len(angles)} angles")
-        case from_page.SetMaster(angles=angles) if not all(abs(x) <= ROTATION.greatest for x in angles):
-            raise CommandError(f"angles of the master arm must be at most {ROTATION.greatest:g} rad, got {angles} rad")
+        case from_page.SetMaster(angles=angles) if why := implausible([j.slides for j in welcome.joints], angles):
+            raise CommandError(f"master arm: {why}")
         case from_page.EnterMode(mode=mode) if mode not in {m.position for m in welcome.modes}:
             known = ", ".join(m.position for m in welcome.modes)
             raise CommandError(f"unknown mode {mode!r}; allowed: {known}")

@@ -95,7 +95,6 @@ class Port(Berth, frozen=True, eq=False, kw_only=True):
             self,
             row,
             place_of(self, payload),
-            self,
             row_of(self.pose),
             np.unique(np.concatenate(probe), axis=0) if probe else np.empty((0, 3)),
             np.zeros(3) if payload.probe is None else payload.probe.position,
@@ -108,14 +107,13 @@ class PortFit(Fit):
     """Constants of one payload at one port.
 
     Attributes:
-        port: the port.
         pose: (12,) pose of the port in its frame.
         probe: (n, 3) vertices of the payload's probe, in the payload's axes [m].
         tip: (3,) centre of the probe's forward face, in the payload's axes [m].
         tolerances: greatest distance and angle at which the port docks the payload.
     """
 
-    port: Port
+    berth: Port
     pose: Array
     probe: Array
     tip: Array
@@ -140,19 +138,19 @@ class PortFit(Fit):
     def is_aligned(self, frames: Array, payload: int, depth: float, near: float, inside: float) -> bool:
         """Return whether a straight approach would bring the probe to the port; `near`: distance from the port."""
         return straight_before(
-            self.probe, self.tip, frames[payload], frames[self.row], self.pose, self.port.envelope, depth, near,
+            self.probe, self.tip, frames[payload], frames[self.row], self.pose, self.berth.envelope, depth, near,
             inside, self.tolerances.distance - inside,
         )  # fmt: skip
 
     @property
     def _outwards(self) -> Array:
-        return -product(self.pose[3:].reshape(3, 3), self.port.envelope[0, :3])
+        return -product(self.pose[3:].reshape(3, 3), self.berth.envelope[0, :3])
 
     def _approach(self, frames: Array, payload: int) -> Array:
         """Return the results (6,) of `docking.approach` for the payload's probe."""
         found, port = np.empty(FOUND), np.empty(POSE)
         compose(frames[self.row], self.pose, port)
-        approach(self.probe, self.tip, frames[payload], port, self.port.envelope, found)
+        approach(self.probe, self.tip, frames[payload], port, self.berth.envelope, found)
         return found
 
 
