@@ -90,9 +90,7 @@ def _slide_problems(file: ArmFile) -> Iterator[Problem]:
         if slide.driver == TELESCOPE and (where[1] != 0 or along != (0.0, 0.0, -1.0) or any(slide.step)):
             yield Problem(where, "a telescope is the first joint, at L's origin, with the axis 0, 0, -1")
         if slide.driver == TELESCOPE and (any(file.steered[0].step) or linkage_of(file).links[0] != start):
-            what = (
-                "expected the first joint that steering drives, and with a closed form the second, at its end (no step)"
-            )
+            what = "expected the first steered joint (with a closed form, the second too) at the telescope's end"
             yield Problem(where, what)
         if slide.driver == PRONG and (carrier != last or along != (0.0, 1.0, 0.0) or any(slide.step)):
             yield Problem(
