@@ -158,7 +158,7 @@ def test_check_of_a_level_does_not_read_the_rest_of_the_scenario(
         ("phase[1].mode", '"OPR CMD"', "there is no item 1"),
         ("phase", "3", "phase: Expected `array`"),
         ("initial.joints[6]", "1", "there is no item 6"),
-        ("initial.joints[5]", '"1 m"', "initial.joints[5]: "),
+        ("initial.joints[5]", '"1 s"', "initial.joints[5]: "),
         ("initial.pose.frame", "3", "initial.pose.frame: "),
         ("command_delay", '"\\u202e"', "control character"),
     ],
