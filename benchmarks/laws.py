@@ -158,8 +158,7 @@ def _chain(scenario: Scenario) -> tuple[Array, Array]:
     linkage = scenario.arm.model.linkage
     centres = np.cumsum(linkage.steps, axis=0)
     tip = scenario.arm.forward(np.zeros(6)).position
-    axes = np.eye(3)[[axis - 1 for axis in linkage.axes]]
-    return np.vstack([centres, tip]), axes
+    return np.vstack([centres, tip]), linkage.axes
 
 
 def _numpy_jacobian(scenario: Scenario) -> _Jacobian:
