@@ -6,19 +6,23 @@ import re
 
 import pytest
 
-from aftdeck.arms.load import HERE, model_of
+from aftdeck.arms.load import HERE, PorLimits, model_of
 from aftdeck.errors import ScenarioError
 from aftdeck.files import Text, read
+from aftdeck.operators.approach import Speeds
+from aftdeck.operators.decide import moved
 from aftdeck.operators.pilot import Pilot, pilot
 from aftdeck.operators.spec import OperatorSpec
 from aftdeck.report.strips import sources
 from aftdeck.scenario.load import load_scenario
 from aftdeck.scenario.model import Scenario
+from aftdeck.scene.stick_axes import StickAxes
 from aftdeck.simulation.inputs import Inputs
 from aftdeck.simulation.run import Simulation
 from aftdeck.simulation.run import run as run_with
 from aftdeck.simulation.series.groups import columns_of, in_series
 from aftdeck.station.conversion.welcome_of import welcome_of
+from aftdeck.task.progress import Progress
 from aftdeck.task.remaining import Aims
 from tests.commands import Run
 from tests.loaded import CHAINS
@@ -152,3 +156,27 @@ def test_synthetic_operator_finishes_a_step_of_a_joint_that_slides() -> None:
     assert isinstance(operator, Pilot)
     assert run_with(made, inputs=operator, keep_frames=False).summary.ended == "completed"
     assert operator.progress.present is None and operator.progress.skipped == ()
+
+
+@pytest.mark.parametrize(
+    ("joint", "slides", "done"),
+    [
+        ("rail", True, {}),
+        ("rail", True, {"within": "1 cm"}),
+        ("elbow", False, {}),
+        ("elbow", False, {"within_angle": "1 deg"}),
+    ],
+)
+def test_a_joint_slows_down_by_the_acceleration_of_its_kind(joint: str, slides: bool, done: dict[str, str]) -> None:
+    at = "10 cm" if slides else "-110 deg"
+    made = given({("step",): [{**STEP, "joint": joint, "joint_at": at, "done": {**done, "mode": "MASTER"}}]})
+    progress, sim = Progress(made), Simulation(made)
+    frame = sim.look()
+    progress.see(frame)
+    assert progress.present is not None
+    drives = set()
+    for fast in (1.0, 1e-9):
+        metres, angles = (1e-3, fast) if slides else (fast, 1e-3)
+        speeds = Speeds(1.0, 1.0, 1.0, PorLimits((1.0, 1.0), (1.0, 1.0), metres, angles))
+        drives.add(moved(frame, progress.present, progress, StickAxes(made).in_l(frame), speeds, None).drive)
+    assert len(drives) == 1 and 0.0 not in drives

@@ -123,7 +123,7 @@ def moved(
     if step.joint is not None:
         limit = frame.rate_limits[step.joint]
         left_of_joint = step.joint_at - frame.angles[step.joint]
-        slides = done.within is not None  # only then is the end of such a step a length
+        slides = progress.slides[step.joint]
         stops = speeds.por.acceleration if slides else speeds.por.angular_acceleration
         drive = deflection(left_of_joint, Axis(limit, stops, 0.0), speeds)
         within = done.within if slides else done.within_angle

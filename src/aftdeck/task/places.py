@@ -21,7 +21,7 @@ class Places:
     """Poses in L of the things of one scenario, computed from frames.
 
     Attributes:
-        seats: the worksite's berths by name.
+        berths: the worksite's berths by name.
     """
 
     def __init__(self, scenario: Scenario) -> None:

@@ -19,6 +19,7 @@ class Progress:
         at: index of the present step; the number of steps when all are complete.
         done_s: for each step, the simulated time at which it was completed [s]; None if it is open or was skipped.
         places: poses of the scenario's payloads and berths, and of the tip.
+        slides: for each joint, whether it slides.
     """
 
     def __init__(self, scenario: Scenario) -> None:
@@ -27,7 +28,7 @@ class Progress:
         self.done_s: list[float | None] = [None] * len(self.steps)
         self._period_s = scenario.control_period
         self._aims = Aims(scenario)
-        self.places = self._aims.places
+        self.places, self.slides = self._aims.places, self._aims.slides
         self._begin: Since | None = None
         self._frame: Frame | None = None
         self._before: Frame | None = None  # the frame before, if it was seen in the same step of the task

@@ -67,7 +67,7 @@ class Aims:
 
     def __init__(self, scenario: Scenario) -> None:
         self.places = Places(scenario)
-        self._joints, self._slides = scenario.arm.model.joints, scenario.arm.model.slides
+        self._joints, self.slides = scenario.arm.model.joints, scenario.arm.model.slides
         self._fixture = "pin" if scenario.arm.model.prong is None else "bar"
 
     def remaining(self, frame: Frame, step: TaskStep | None) -> Remaining | None:
@@ -79,7 +79,7 @@ class Aims:
         if step is not None and step.joint is not None:
             angle = step.joint_at - frame.angles[step.joint]
             name, near = self._joints[step.joint].replace("_", " "), self._near(step)
-            if self._slides[step.joint]:
+            if self.slides[step.joint]:
                 return Remaining(name, None, None, abs(angle), angle, (near[0], near[0]))
             return Remaining(name, None, None, 0.0, angle, near)
         target = self.target(frame, step)
