@@ -211,24 +211,27 @@ class OfJoint(Quantity):
     slides: bool | None = None
     """Whether the file's unit is that of a joint that slides; None for a bare number."""
 
+    def __init_subclass__(cls) -> None:
+        """Name both units; example and bounds are those of a joint that turns, unless the subclass has its own."""
+        turning, sliding = cls.kinds
+        cls.unit, cls.example = f"{turning.unit} or {sliding.unit}", turning.example
+        if "bounds" not in vars(cls):
+            cls.bounds = turning.bounds
+
     @classmethod
     def read(cls, given: object) -> Quantity:
         """Return the quantity that a file gives; arguments and errors as for `Quantity.read`."""
-        found = super().read(given)
-        if isinstance(given, str) and isinstance(found, cls):
-            match = _NUMBER_AND_UNIT.fullmatch(given)
-            found.slides = match is not None and _size(match["unit"], cls.kinds[1].unit) is not None
-        return found
-
-    @classmethod
-    def _parse(cls, text: str) -> float:
-        match = _NUMBER_AND_UNIT.fullmatch(text)
+        if not isinstance(given, str):
+            return super().read(given)
+        match = _NUMBER_AND_UNIT.fullmatch(given)
         for kind in cls.kinds:
-            if match and (size := _size(match["unit"], kind.unit)) is not None:
-                return float(match["number"]) * size
+            if match and _size(match["unit"], kind.unit) is not None:
+                found = cls(kind.read(given))
+                found.slides = kind is cls.kinds[1]
+                return found
         turning, sliding = cls.kinds
         raise ValueError(
-            f"{short(text)} is neither {with_article(turning.noun)} nor {with_article(sliding.noun)}; write a number "
+            f"{short(given)} is neither {with_article(turning.noun)} nor {with_article(sliding.noun)}; write a number "
             f"in {cls.unit}, or a number with its unit, such as {turning.example!r} or {sliding.example!r}"
         )
 
@@ -236,49 +239,38 @@ class OfJoint(Quantity):
 class Coordinate(OfJoint):
     """Coordinate of a joint: an angle [rad], or a length if it slides [m]."""
 
-    noun, unit, example = "coordinate of a joint", "rad or m", Angle.example
-    kinds = Angle, Length
+    noun, kinds = "coordinate of a joint", (Angle, Length)
     bounds = Bounds(-200.0, 200.0, "ten revolutions are 63 rad, and the longest arms measure 20 m")
 
 
 class CoordinateRate(OfJoint):
     """Rate of a joint: an angular rate [rad/s], or a speed if it slides [m/s]."""
 
-    noun, unit, example = "rate of a joint", "rad/s or m/s", AngularRate.example
-    kinds = AngularRate, Speed
-    bounds = AngularRate.bounds
+    noun, kinds = "rate of a joint", (AngularRate, Speed)
 
 
 class JointEffort(OfJoint):
     """Torque at a joint [N m], or force if it slides [N]."""
 
-    noun, unit, example = "torque or force at a joint", "N*m or N", Torque.example
-    kinds = Torque, Force
-    bounds = Torque.bounds
+    noun, kinds = "torque or force at a joint", (Torque, Force)
 
 
 class JointDamping(OfJoint):
     """Torque for each rad/s of a joint's rate [N m s/rad], or force for each m/s if it slides [N s/m]."""
 
-    noun, unit, example = "damping of a joint", "N*m*s/rad or N*s/m", AngularDamping.example
-    kinds = AngularDamping, LinearDamping
-    bounds = AngularDamping.bounds
+    noun, kinds = "damping of a joint", (AngularDamping, LinearDamping)
 
 
 class JointStiffness(OfJoint):
     """Stiffness of a joint's gearbox [N m/rad], or that of one that slides [N/m]."""
 
-    noun, unit, example = "stiffness of a joint", "N*m/rad or N/m", AngularStiffness.example
-    kinds = AngularStiffness, LinearStiffness
-    bounds = AngularStiffness.bounds
+    noun, kinds = "stiffness of a joint", (AngularStiffness, LinearStiffness)
 
 
 class CoordinateAcceleration(OfJoint):
     """Acceleration of a joint: an angular acceleration [rad/s2], or an acceleration if it slides [m/s2]."""
 
-    noun, unit, example = "acceleration of a joint", "rad/s/s or m/s/s", AngularAcceleration.example
-    kinds = AngularAcceleration, Acceleration
-    bounds = AngularAcceleration.bounds
+    noun, kinds = "acceleration of a joint", (AngularAcceleration, Acceleration)
 
 
 def quantities() -> Iterator[type[Quantity]]:

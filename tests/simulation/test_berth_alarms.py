@@ -80,7 +80,7 @@ def counted(side: float = 0.0, tilt: float = 0.0) -> tuple[Array, Array, Array]:
     """
     sim = above_the_berth()
     site, worksite = sim._flight.site, sim._state.worksite
-    row = site.payload_row(0)
+    row = site.payload_rows[0]
     [fit] = site.fits[0]
     frames = worksite.frames.copy()
     off = fit.offset(frames, row)
@@ -173,7 +173,7 @@ def test_a_payload_that_leaves_the_way_sideways_is_warned_before_it_touches(step
         watch.update(state.worksite.frames, state.worksite.frames, 1.0)
         pairs = (site.seated[0, site.fits[0][0].berth.name] != 0) & (site.detrimental != 0)
         least = float(watch.found[pairs, CLEARANCE].min())
-        offset = site.fits[0][0].offset(state.worksite.frames, site.payload_row(0))[:3]
+        offset = site.fits[0][0].offset(state.worksite.frames, site.payload_rows[0])[:3]
         along = max(0, int(float(offset @ site.fits[0][0].way_out) / STEP))
         on_way = float(clearances_on_way(site, 0, 0)[along : along + 2][:, pairs].min())
         closest = min(closest, least)

@@ -5,10 +5,11 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Sequence, Sized
 
+from aftdeck.arms.link_file import LONGEST, REAL_LENGTHS
 from aftdeck.bounds import ROTATION, Bounds
 from aftdeck.units import Coordinate, OfJoint, with_article
 
-SLIDE = Bounds(-200.0, 200.0, "the longest arms measure 20 m", "m")
+SLIDE = Bounds(-LONGEST, LONGEST, REAL_LENGTHS, "m")
 """Range of the coordinate of a joint that slides."""
 
 
@@ -50,8 +51,7 @@ def misfits(
 def implausible(slides: Sequence[bool], values: Sequence[float]) -> str:
     """Return why joints cannot have these coordinates [rad or m], whatever their limits; "" if they can."""
     for slid, value in zip(slides, values, strict=True):
-        bounds, unit = (SLIDE, "m") if slid else (ROTATION, "rad")
-        if why := bounds.problem(value, unit):
+        if why := (SLIDE if slid else ROTATION).problem(value, scale(slid, degrees=False)[1]):
             return why
     return ""
 

@@ -45,8 +45,8 @@ class Linkage(NamedTuple):
         axes: (n, 3) unit vectors along the joints' axes at zero angles, in L.
         tip: (3,) vector from the last joint to the tip at zero angles, in L [m].
         frames: names of the frames that carry the arm's bodies: the foot (fixed in L), then one frame for each joint.
-            The axes of a joint's frame are those of L, rotated by this joint and all joints before it. The
-            origin is the joint's centre; for the last joint it is the centre of the preceding joint.
+            The axes of a joint's frame are those of L, rotated by this joint and all joints before it; the
+            origin is the joint's centre.
         end_effector_roll: the angle r in R_E = R_7 Rx(r) [rad].
         singularities: names of the singularities that the arm's solver tells apart.
         slides: for each joint, whether it slides along its axis; otherwise it turns about it.
@@ -58,8 +58,8 @@ class Linkage(NamedTuple):
     tip: Array
     frames: tuple[str, ...]
     end_effector_roll: float
-    singularities: tuple[str, ...] = NAMED
-    slides: tuple[bool, ...] = (False,) * 6
+    singularities: tuple[str, ...]
+    slides: tuple[bool, ...]
 
     @property
     def arms(self) -> tuple[int, ...]:

@@ -6,11 +6,11 @@ from collections.abc import Iterator
 
 from aftdeck.arms.chain import chain_length
 from aftdeck.arms.geometry import FOOT, linkage_of
-from aftdeck.arms.joints import JointFile, SourcesFile
+from aftdeck.arms.joints import JointFile, Slide, SourcesFile
 from aftdeck.arms.limits import limit_problems, limits_of, rates_of
 from aftdeck.arms.link_file import BodyLink, LinkFile
 from aftdeck.arms.model import ArmFile
-from aftdeck.arms.switched import PRONG, TELESCOPE, carrier_of
+from aftdeck.arms.switched import TELESCOPE, carrier_of
 from aftdeck.bodies.mass_properties import impossible, tensor
 from aftdeck.files import Problem, Where
 from aftdeck.matrices import length
@@ -75,30 +75,36 @@ def _unsourced(file: ArmFile, table: JointFile | LinkFile | None, where: Where, 
 
 def _slide_problems(file: ArmFile) -> Iterator[Problem]:
     """Yield what is wrong with the joints that switches drive; the laws serve one telescope and one prong."""
-    last = file.steered[-1].name
     if len(file.switched) == 1:
         what = "the laws place a telescope and a prong together; expected both, or neither"
         yield Problem(("joint", file.joint.index(file.switched[0])), what)
     for k, slide in enumerate(file.switched):
         least, greatest, start, _ = slide.travel()
         where: Where = ("joint", file.joint.index(slide))
-        carrier, along = carrier_of(file, slide), tuple(map(float, slide.axis))
         if slide.driver in (other.driver for other in file.switched[:k]):
             yield Problem((*where, "driver"), f"the {slide.driver} switch already drives another joint")
-        if slide.driver == TELESCOPE and slide.on is not None:
-            yield Problem((*where, "on"), "a telescope is on the foot; leave `on` out")
-        if slide.driver == TELESCOPE and (where[1] != 0 or along != (0.0, 0.0, -1.0) or any(slide.step)):
-            yield Problem(where, "a telescope is the first joint, at L's origin, with the axis 0, 0, -1")
-        if slide.driver == TELESCOPE and (any(file.steered[0].step) or linkage_of(file).links[0] != start):
-            what = "expected the first steered joint (with a closed form, the second too) at the telescope's end"
-            yield Problem(where, what)
-        if slide.driver == PRONG and (carrier != last or along != (0.0, 1.0, 0.0) or any(slide.step)):
-            yield Problem(
-                where, f"a prong is on the last joint that steering drives, {last}, with the axis 0, 1, 0 and no step"
-            )
+        of_switch = _telescope_problems if slide.driver == TELESCOPE else _prong_problems
+        for within, what in of_switch(file, slide):
+            yield Problem((*where, *within), what)
         if not (least <= start <= greatest and least < greatest):
             what = f"expected least <= start <= greatest, got {least:g}, {start:g}, {greatest:g} m"
             yield Problem(where, what)
-        if slide.driver == PRONG and (slide.facing is None or not greatest < slide.facing.value):
-            what = "the prong closes towards the fixed finger: expected `facing`, a coordinate greater than `greatest`"
-            yield Problem(where, what)
+
+
+def _telescope_problems(file: ArmFile, telescope: Slide) -> Iterator[tuple[Where, str]]:
+    """Yield what is wrong with a telescope, and where in its table."""
+    if telescope.on is not None:
+        yield ("on",), "a telescope is on the foot; leave `on` out"
+    if file.joint[0] != telescope or tuple(telescope.axis) != (0.0, 0.0, -1.0) or any(telescope.step):
+        yield (), "a telescope is the first joint, at L's origin, with the axis 0, 0, -1"
+    if any(file.steered[0].step) or linkage_of(file).links[0] != telescope.travel().start:
+        yield (), "expected the first steered joint (with a closed form, the second too) at the telescope's end"
+
+
+def _prong_problems(file: ArmFile, prong: Slide) -> Iterator[tuple[Where, str]]:
+    """Yield what is wrong with a prong, and where in its table."""
+    last = file.steered[-1].name
+    if carrier_of(file, prong) != last or tuple(prong.axis) != (0.0, 1.0, 0.0) or any(prong.step):
+        yield (), f"a prong is on the last joint that steering drives, {last}, with the axis 0, 1, 0 and no step"
+    if prong.facing is None or not prong.travel().greatest < prong.facing.value:
+        yield (), "the prong closes towards the fixed finger: expected `facing`, a coordinate greater than `greatest`"

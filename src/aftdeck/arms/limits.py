@@ -72,7 +72,7 @@ def limit_problems(
     """Return a problem for each joint with inconsistent limits or rates; `slides`: whether each joint slides."""
     found = []
     for i, joint in enumerate(joints):
-        (factor, unit), si = scale(slides[i]), "m" if slides[i] else "rad"
+        (factor, unit), (_, si) = scale(slides[i]), scale(slides[i], degrees=False)
         chain = [*(s[i, 0] for s in limits), *(s[i, 1] for s in reversed(limits))]
         if not all(a <= b for a, b in pairwise(chain)) or chain[2] == chain[3]:
             ranges = "; ".join(

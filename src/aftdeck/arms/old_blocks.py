@@ -24,8 +24,6 @@ _EFFECTOR = [-3, 2, 1]
 _SOURCE = {"source": "computed from the dimensions of the arm (converted)", "confidence": "assumed"}
 _HAND = ("stub", "palm", "fixed finger", "prong")
 """Parts whose volumes share the mass of the hand."""
-
-
 _ENDS = 2
 """Number of coordinates of a span."""
 

@@ -59,7 +59,7 @@ def place(
     above, (x, y, z) = float(spec.above or 0.0), spec.offset or (0.0, 0.0, 0.0)
     offset = float(x), float(y), float(z)
     if spec.seat is not None:
-        seats = [seat.name for seat in references.worksite.berths]
+        seats = [berth.name for berth in references.worksite.berths]
         if spec.seat in seats:
             return AtBerth(spec.seat, above, offset)
         problems.add((*where, "seat"), f"no seat {spec.seat!r}: seats are {', '.join(seats) or 'none'}")
@@ -135,7 +135,9 @@ def _in_frame(problems: Problems, spec: PoseSpec, references: TargetReferences, 
         return None
     found = in_frame(references.worksite, references.payloads, spec.frame, pose)
     if found is None:
-        names = [body.name for body in references.worksite.bodies] + [seat.name for seat in references.worksite.berths]
+        names = [body.name for body in references.worksite.bodies] + [
+            berth.name for berth in references.worksite.berths
+        ]
         choices = ", ".join(dict.fromkeys([*FRAMES, *names, *(payload.name for payload in references.payloads)]))
         problems.add((*where, "frame"), f"no frame {spec.frame!r}: there are {choices}")
     return found

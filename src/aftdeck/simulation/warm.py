@@ -73,9 +73,9 @@ def _carry(flight: Flight, state: State) -> None:
     slide_along(flight, state, 0.0, 0)
     for fit in site.fits[0]:
         conditions_at(site, worksite, 0, fit)
-        fit.on_way(worksite.frames, site.payload_row(0))
+        fit.on_way(worksite.frames, site.payload_rows[0])
         if fit.relation is not None:
-            fit.is_aligned(worksite.frames, site.payload_row(0), 0.0, NEAR, 0.0)
+            fit.is_aligned(worksite.frames, site.payload_rows[0], 0.0, NEAR, 0.0)
     counts = site.detrimental.copy()
     worksite.watch.except_far(site.detrimental, np.zeros(len(counts)), counts)
     empty_grasp(site, worksite, state.panel, log, 0)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from functools import cached_property, lru_cache
+from functools import lru_cache
 
 import numpy as np
 
@@ -45,6 +45,9 @@ class Site:
         worksite: the worksite as its file describes it.
         payloads: the payloads at the worksite.
         arm: the arm's frames.
+        last_joint: row of the frame that moves with the last joint.
+        space_row: row of the frame ``space``.
+        payload_rows: rows of the payloads' frames.
         layout: solids and monitored pairs.
         essential: (g,) 1 for pairs that the task brings into contact.
         meetings: relation and permitted depth of each pair in `essential`.
@@ -80,6 +83,9 @@ class Site:
     worksite: Worksite
     payloads: tuple[Payload, ...]
     arm: Frames
+    last_joint: int
+    space_row: int
+    payload_rows: tuple[int, ...]
     layout: Layout
     essential: Mask
     meetings: tuple[Meeting, ...]
@@ -106,16 +112,6 @@ class Site:
     bodies: tuple[Indices, ...]
     bay: Array | None
 
-    @cached_property
-    def space_row(self) -> int:
-        """Row of the frame ``space``."""
-        return 1 + len(self.arm.names)
-
-    @cached_property
-    def last_joint(self) -> int:
-        """Row of the frame that moves with the last joint."""
-        return len(self.arm.names) if not self.prong else len(self.arm.names) - 2
-
     def essential_while(self, sliding: int | None, permitted: Mask) -> Mask:
         """Return (g,) 1 for the pairs whose contacts belong to the task.
 
@@ -124,10 +120,6 @@ class Site:
             permitted: (g,) result of `relations.permitted`: 1 for pairs whose contact the task permits.
         """
         return permitted if sliding is None else permitted | self.slides[sliding]
-
-    def payload_row(self, index: int) -> int:
-        """Return the row of a payload's frame."""
-        return self.space_row + 1 + index
 
     def berth(self, name: str) -> Berth:
         """Return the berth with this name."""
@@ -148,6 +140,8 @@ def site_of(scenario: Scenario) -> Site:
     model, worksite, payloads = scenario.arm.model, scenario.worksite, scenario.payloads
     arm = frames_of(model)
     frames = ("orbiter", *arm.names, "space", *(payload.name for payload in payloads))
+    last_joint, space_row = frames.index(model.linkage.frames[-1]), frames.index("space")
+    payload_rows = tuple(range(space_row + 1, len(frames)))
     own, held = arm_solids(model, worksite), _attached_solids(scenario)
     solids = all_solids(scenario)
     foot, *joints = model.linkage.frames
@@ -172,20 +166,21 @@ def site_of(scenario: Scenario) -> Site:
     walls = [solid.part for solid in worksite.solids if solid.frame == "orbiter"]
     fits = tuple(
         tuple(
-            berth.fit(payload, ORBITER if berth.frame == "orbiter" else 1 + len(arm.names), scenario.docking_axes)
+            berth.fit(payload, ORBITER if berth.frame == "orbiter" else space_row, scenario.docking_axes)
             for berth in worksite.berths
             if not berth.lacks(payload.probe, payload.trunnions)
         )
         for payload in payloads
     )
     effector = row_of(Pose(model.linkage.tip, rotation_x(model.end_effector_roll)))
-    rows = tuple(range(2 + len(arm.names), len(frames)))
-    hand_row = arm.names.index(model.linkage.frames[-1]) + 1
-    made_for = MadeFor(model, payloads, [solid.part for solid in solids], hand_row, effector, rows)
+    made_for = MadeFor(model, payloads, [solid.part for solid in solids], last_joint, effector, payload_rows)
     return Site(
         worksite=worksite,
         payloads=payloads,
         arm=arm,
+        last_joint=last_joint,
+        space_row=space_row,
+        payload_rows=payload_rows,
         layout=layout,
         essential=essential,
         meetings=meetings,

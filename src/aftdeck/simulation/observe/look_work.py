@@ -50,7 +50,7 @@ def work_of(flight: Flight, state: State) -> Work:
         objective=objective,
         conditions=conditions,
         hand=_hand(flight, worksite, loaded=state.carried.payload is not None),
-        stand=state.plant.stand.position if site.prong else None,
+        stand=None if flight.scenario.arm.model.telescope is None else state.plant.stand.position,
         orbiter=_displacement(site, worksite, state.plant),
         orbiter_velocity=_velocity(site, worksite, state.plant),
         cargo=tuple(_cargo(site, worksite, k, period) for k in range(len(site.payloads))),
@@ -134,6 +134,6 @@ def _hand(flight: Flight, worksite: WorksiteState, *, loaded: bool) -> Hand:
 
 
 def _cargo(site: Site, worksite: WorksiteState, k: int, period: float) -> Cargo:
-    position, orientation, velocity = moving(worksite.frames, worksite.before, site.payload_row(k), period)
+    position, orientation, velocity = moving(worksite.frames, worksite.before, site.payload_rows[k], period)
     payload = worksite.payloads[k]
     return Cargo(site.payloads[k].name, position, orientation, velocity, payload.held, payload.berth)

@@ -25,7 +25,7 @@ def resolve_target(flight: Flight, worksite: WorksiteState, target: RelativeTarg
             return _at_berth(site, worksite, target)
         case AtPayload(payload=k):
             over = row_of(at_payload(flight.scenario.arm.model, site.payloads[k], target))
-            return target_at(pose_of(_composed(frames[site.payload_row(k)], over)))
+            return target_at(pose_of(_composed(frames[site.payload_rows[k]], over)))
         case InFrame():
             carrier = frames[site.layout.frames.index(target.frame)]
             return target_at(pose_of(_composed(carrier, row_of(target.pose))))

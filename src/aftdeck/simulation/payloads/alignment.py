@@ -111,7 +111,7 @@ def _except_berth(site: Site, k: int, watch: ClearanceMonitor, frames: Array, ne
     Pairs of the task and pairs in contact keep their marks. So do pairs that are nearer to each other than on the
     straight way into the berth, by more than the berth's tolerance or by half.
     """
-    row = site.payload_row(k)
+    row = site.payload_rows[k]
     number = nearest_place(frames, row, site.berth_rows[k], site.berth_places[k], NEAR)
     if number < 0:
         return
@@ -143,7 +143,7 @@ def clearances_on_way(site: Site, k: int, number: int) -> Array:
     have the clearance inf.
     """
     fit = site.fits[k][number]
-    frames, row = np.tile(HERE, (len(site.layout.frames), 1)), site.payload_row(k)
+    frames, row = np.tile(HERE, (len(site.layout.frames), 1)), site.payload_rows[k]
     frames[row] = fit.place
     step = STEP * product(fit.place[3:].reshape(3, 3), fit.way_out)
     watch = ClearanceMonitor(site.layout)
@@ -234,4 +234,4 @@ def _is_aligned(site: Site, frames: Array, meeting: Meeting, *, reported: bool) 
     k, depth = meeting.payload, meeting.depth
     inside = depth if reported else 0.0
     fits = (fit for fit in site.fits[k] if fit.relation == meeting.relation)
-    return any(fit.is_aligned(frames, site.payload_row(k), depth, NEAR, inside) for fit in fits)
+    return any(fit.is_aligned(frames, site.payload_rows[k], depth, NEAR, inside) for fit in fits)

@@ -142,7 +142,7 @@ def _frame(site: Site, frames: Array, attached: HeldPayload | None, name: str) -
     """
     for k, payload in enumerate(site.payloads):
         if name == payload.name:
-            return pose_of(frames[site.payload_row(k)]), payload.centre_of_mass
+            return pose_of(frames[site.payload_rows[k]]), payload.centre_of_mass
     last, hand = pose_of(frames[site.last_joint]), pose_of(site.hand)
     tip = Pose(last.position + product(last.rotation, hand.position), product(last.rotation, hand.rotation))
     if name == TIP:

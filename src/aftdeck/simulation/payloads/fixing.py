@@ -63,7 +63,7 @@ def _nearest_berth_text(site: Site, worksite: WorksiteState, units: Units) -> st
     The text names the unfixed payload that is nearest to its pose in a berth, and its distance from this pose.
     """
     distances = [
-        (length(fit.offset(worksite.frames, site.payload_row(k))[:3].tolist()), k, fit.berth.title)
+        (length(fit.offset(worksite.frames, site.payload_rows[k])[:3].tolist()), k, fit.berth.title)
         for k, own in enumerate(site.fits)
         for fit in own
         if not worksite.payloads[k].berth
@@ -103,7 +103,7 @@ def _update_unfixed(flight: Flight, worksite: WorksiteState, log: Log, k: int, p
     if fit is None:
         payload.released_from = ""
         return None
-    berth, row = fit.berth, site.payload_row(k)
+    berth, row = fit.berth, site.payload_rows[k]
     by_itself = berth.closes == "by itself"
     if not (by_itself or pressed == "latch" or payload.released_from):
         return None
@@ -189,7 +189,7 @@ def _update_fixed(
 def _fix(site: Site, worksite: WorksiteState, log: Log, k: int, fit: Fit, latches: Latches) -> None:
     """Fix a payload to a berth in the payload's present pose; latches then draw it in from this pose."""
     payload, berth = worksite.payloads[k], fit.berth
-    off = fit.offset(worksite.frames, site.payload_row(k)).tolist()
+    off = fit.offset(worksite.frames, site.payload_rows[k]).tolist()
     payload.berth, payload.latches, payload.offset_at_fixing, payload.offset_in_berth = berth.name, latches, off, off
     worksite.floating[k] = None
     worksite.update_attachments(site)
@@ -233,4 +233,4 @@ def conditions_at(site: Site, worksite: WorksiteState, k: int, fit: Fit) -> tupl
         if i != k and payload.berth == fit.berth.name
     ]
     occupied = tuple(Condition("seat empty", False, 1.0, 0.0, "", -1.0, f"{title} is in it") for title in titles)
-    return (*fit.conditions(worksite.frames, site.payload_row(k)), *occupied)
+    return (*fit.conditions(worksite.frames, site.payload_rows[k]), *occupied)

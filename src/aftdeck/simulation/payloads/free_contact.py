@@ -98,7 +98,7 @@ def _stopped(
     normal = row[NORMAL : NORMAL + 3] if first else -row[NORMAL : NORMAL + 3]
     point = row[POINT_A : POINT_A + 3] if first else row[POINT_B : POINT_B + 3]
     frames = _frames(site, worksite, plant, k, floating)
-    lever = point - frames[site.payload_row(k), :3]
+    lever = point - frames[site.payload_rows[k], :3]
     other = int(site.layout.between_frames[group, 1 if first else 0])
     other_velocity = _velocity(site, worksite, site.layout.frames[other])
     surface = other_velocity + _of_arm(site, worksite, frames, other, point, period)

@@ -85,7 +85,7 @@ def packed_in_grasp(site: Site, worksite: WorksiteState, carried: HeldPayload | 
     if k is None:
         return None if carried is None else carried.packed
     packed = np.empty(PACKED)
-    payload_in_hand(worksite.frames, site.last_joint, site.payload_row(k), site.hand, packed)
+    payload_in_hand(worksite.frames, site.last_joint, site.payload_rows[k], site.hand, packed)
     return packed
 
 
@@ -108,7 +108,7 @@ def _payload(site: Site, k: int, grasp: Array) -> HeldPayload:
 def pose_in_hand(site: Site, frames: Array, k: int) -> Array:
     """Return a payload's pose (12,) in the frame of the last joint; `frames` (F, 12): poses of all frames in L."""
     grasp = np.empty(POSE)
-    relative(frames[site.last_joint], frames[site.payload_row(k)], grasp)
+    relative(frames[site.last_joint], frames[site.payload_rows[k]], grasp)
     return grasp
 
 
@@ -135,7 +135,7 @@ def start_free_flight(flight: Flight, worksite: WorksiteState, plant: PlantState
     includes the orbiter's velocity.
     """
     site = flight.site
-    row = site.payload_row(k)
+    row = site.payload_rows[k]
     now = motion(worksite.before[row], worksite.frames[row], flight.scenario.control_period)
     pose = worksite.frames[row].copy()
     pose[:3] += site.scene[:3] - worksite.frames[site.space_row, :3]

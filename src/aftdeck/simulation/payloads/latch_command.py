@@ -23,7 +23,7 @@ CONFIRM = 10.0
 
 def nearest_berth(site: Site, frames: Array, k: int) -> Fit | None:
     """Return the berth whose final position for payload k is nearest to the payload; None if none is within `NEAR`."""
-    nearest = nearest_place(frames, site.payload_row(k), site.berth_rows[k], site.berth_places[k], NEAR)
+    nearest = nearest_place(frames, site.payload_rows[k], site.berth_rows[k], site.berth_places[k], NEAR)
     return None if nearest < 0 else site.fits[k][nearest]
 
 
@@ -48,7 +48,7 @@ def addressed(site: Site, worksite: WorksiteState, pressed: Pressed | None) -> i
             )
         else:
             fits = pressed == "latch" and nearest_berth(site, worksite.frames, k) is not None
-        candidates.append((not fits, distance(hand.tolist(), worksite.frames[site.payload_row(k), :3].tolist()), k))
+        candidates.append((not fits, distance(hand.tolist(), worksite.frames[site.payload_rows[k], :3].tolist()), k))
     return min(candidates)[2] if candidates else None
 
 

@@ -27,7 +27,7 @@ def is_blocked(flight: Flight, worksite: WorksiteState, log: Log, k: int, pose: 
     if not flight.inhibits:
         return False
     after = worksite.frames.copy()
-    after[flight.site.payload_row(k)] = pose
+    after[flight.site.payload_rows[k]] = pose
     group = worst_new_contact(worksite.watch, worksite.contacts.arm & (1 - worksite.permitted), after)
     if group >= 0 and not worksite.waiting:
         a, b = flight.site.layout.named(group)

@@ -42,4 +42,4 @@ def _related(site: Site, watch: ClearanceMonitor, frames: Array, meeting: Meetin
     if device is not None and meeting.relation == device.relation:
         return device.permits(frames, watch.placed, meeting)
     fits = (fit for fit in site.fits[k] if fit.relation == meeting.relation)
-    return any(fit.permits(frames, site.payload_row(k), watch.placed, meeting) for fit in fits)
+    return any(fit.permits(frames, site.payload_rows[k], watch.placed, meeting) for fit in fits)

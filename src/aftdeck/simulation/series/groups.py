@@ -18,10 +18,8 @@ _FIRST = (
 
 def columns_of(reading: Reading, scenario: Scenario) -> tuple[Column, ...]:
     """Return the columns of a reading."""
-    names, units = (
-        reading.names(reading.column or reading.name, scenario),
-        [UNITS[quantity] for quantity in reading.quantities(scenario)],
-    )
+    names = reading.names(reading.column or reading.name, scenario)
+    units = [UNITS[quantity] for quantity in reading.quantities(scenario)]
     columns = tuple(
         Column(with_unit(name, unit), unit, reading.definition) for name, unit in zip(names, units, strict=True)
     )

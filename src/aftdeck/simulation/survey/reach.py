@@ -76,10 +76,10 @@ def _script_targets(scenario: Scenario) -> Iterator[_ScriptTarget]:
                 if payload.name in poses:
                     tip = composed(poses[payload.name], tip_in_payload)
             case AtBerth(berth=name) as place if tip_in_payload is not None:
-                payload, seat = payloads[held], berths[name]
+                payload, berth = payloads[held], berths[name]
                 if phase.until is not None:  # the phase ends as soon as the berth fixes the payload
-                    place = msgspec.structs.replace(place, above=max(place.above, seat.distance))
-                poses[payload.name] = at_berth(seat, payload, place)
+                    place = msgspec.structs.replace(place, above=max(place.above, berth.distance))
+                poses[payload.name] = at_berth(berth, payload, place)
                 tip = composed(poses[payload.name], tip_in_payload)
             case InFrame(frame=name) if name in poses or name not in {payload.name for payload in payloads}:
                 tip = composed(poses[name], phase.target.pose) if name in poses else phase.target.pose

@@ -99,7 +99,7 @@ def _work(scenario: Scenario) -> WorkInfo:
         effector=(model.linkage.frames[-1], *(() if prong is None else (prong.frame,))),
         stand=None if telescope is None else StandInfo(telescope.least, telescope.greatest, telescope.rate),
         cargo=tuple(payload.name for payload in scenario.payloads),
-        seats=tuple(SeatInfo(seat.name, seat.title) for seat in scenario.worksite.berths),
+        seats=tuple(SeatInfo(berth.name, berth.title) for berth in scenario.worksite.berths),
         parts=tuple(scenario.parts),
         caution=scenario.caution,
         warning=scenario.warning,

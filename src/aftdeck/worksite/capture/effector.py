@@ -49,7 +49,7 @@ class CaptureTable(Table, frozen=True, kw_only=True, tag_field="kind"):
     source: Text
 
     def effector(self, site: MadeFor) -> EndEffector | None:
-        """Return the constants of capture by the arm's end effector; None if it is of another kind."""
+        """Return the constants of capture by the arm's end effector; None if the arm lacks what this kind needs."""
         raise NotImplementedError
 
 
