@@ -17,11 +17,10 @@ import pytest
 from aftdeck.study.ray_connection import NEW_CLUSTER
 from benchmarks.ray_nodes import node
 from tests.pages import ROOT, Line
+from tests.waits import WAIT_S
 
 HEAD, CLIENT, FIRST = "6379", "ray://head:10001", "FIRST"
 """Port, address and machine of the cluster in the documents."""
-WAIT_S = 300.0
-"""Longest time of a command [s]."""
 
 
 LEAN = {"PYTHONPATH": str(ROOT / "tests" / "study" / "lean"), "PYTHONDONTWRITEBYTECODE": ""}

@@ -6,8 +6,7 @@ import subprocess
 import sys
 from urllib.request import urlopen
 
-WAIT_S = 300.0
-"""Longest time until a server answers, and until it ends [s]; the first start compiles the laws."""
+from tests.waits import WAIT_S
 
 
 def ask_and_end(*arguments: str) -> None:

@@ -15,9 +15,7 @@ import pytest
 import aftdeck
 from aftdeck.scenario.load import built_in, load_scenario
 from tests.commands import Run
-
-WAIT_S = 300.0
-"""Longest time for a program [s]."""
+from tests.waits import WAIT_S
 
 
 def in_a_process(*arguments: str, **environment: str) -> subprocess.CompletedProcess[bytes]:

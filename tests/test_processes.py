@@ -14,8 +14,8 @@ import pytest
 
 import aftdeck
 from aftdeck.processes import ONE_THREAD, Child
+from tests.waits import WAIT_S
 
-WAIT_S = 60.0
 SOURCE = Path(aftdeck.__file__).parent
 
 PARENT = """

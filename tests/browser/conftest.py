@@ -16,12 +16,7 @@ from playwright.sync_api import Browser, ConsoleMessage, Page, sync_playwright
 
 from tests.browser.flight import WAIT_MS, Flight
 from tests.browser.programs import running
-
-START_S = 120.0
-"""Longest wait for the address that a station prints, and longest wait for the start of the browser [s]."""
-
-COMPILED_S = 300.0
-"""Longest time from the printed address to the first answer of the station [s]; the first run compiles the laws."""
+from tests.waits import WAIT_S
 
 # As in benchmarks/page.py: Mesa's GL draws the scene, and Chromium composites the page without GL.
 FLAGS = [
@@ -108,7 +103,7 @@ def running_station(*options: str) -> Iterator[str]:
     with running(command, stdout=subprocess.PIPE, text=True) as process:
         address = _address(process)
         # The socket accepts connections before the server answers.
-        with urlopen(f"{address}health", timeout=COMPILED_S) as answer:
+        with urlopen(f"{address}health", timeout=WAIT_S) as answer:
             assert answer.status == 200
         yield address
 
@@ -124,9 +119,9 @@ def _address(process: subprocess.Popen[str]) -> str:
 
     Thread(target=read, daemon=True).start()
     try:
-        first = lines.get(timeout=START_S)
+        first = lines.get(timeout=WAIT_S)
     except Empty:
-        pytest.fail(f"`aftdeck fly` printed nothing within {START_S:g} s.")
+        pytest.fail(f"`aftdeck fly` printed nothing within {WAIT_S:g} s.")
     assert first.startswith("Aftdeck station: http://127.0.0.1:"), first
     return first.removeprefix("Aftdeck station: ").strip()
 
@@ -138,7 +133,7 @@ def browser(chromium: Path) -> Iterator[Browser]:
     It ends after the tests of this folder: Playwright's loop would prevent `asyncio.run` in other tests.
     """
     with sync_playwright() as playwright:
-        running = playwright.chromium.launch(executable_path=chromium, args=FLAGS, timeout=START_S * 1000.0)
+        running = playwright.chromium.launch(executable_path=chromium, args=FLAGS, timeout=WAIT_S * 1000.0)
         yield running
         running.close()
 

@@ -16,7 +16,7 @@ from PIL import Image, ImageDraw
 from playwright.sync_api import Page, sync_playwright
 
 from aftdeck.scenario.load import about, built_in, load_scenario
-from tests.browser.conftest import FLAGS, START_S, running_station
+from tests.browser.conftest import FLAGS, running_station
 from tests.browser.flight import WAIT_MS, Flight
 from tests.browser.text_pilot.pilot import Pilot
 from tests.conftest import find_chromium
@@ -39,7 +39,7 @@ def main() -> int:
     given = options.parse_args()
     given.folder.mkdir(parents=True, exist_ok=True)
     with sync_playwright() as playwright:
-        browser = playwright.chromium.launch(executable_path=find_chromium(), args=FLAGS, timeout=START_S * 1000.0)
+        browser = playwright.chromium.launch(executable_path=find_chromium(), args=FLAGS, timeout=WAIT_MS)
         for name in given.scenarios:
             scripted = about(name).scripted
             with running_station(name, *(["--demo"] if scripted else [])) as address:

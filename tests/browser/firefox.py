@@ -20,10 +20,9 @@ from typing import Any, NamedTuple
 from websockets.sync.client import ClientConnection, connect
 
 from tests.browser.programs import running
+from tests.waits import WAIT_S
 
 NAMES = ("firefox-esr", "firefox")
-WAIT_S = 120.0
-"""Longest wait for an action of Firefox or of a page in it [s]."""
 PREFERENCES = {
     "webgl.force-enabled": True,  # by default, Firefox does not use software WebGL
     "remote.active-protocols": 1,

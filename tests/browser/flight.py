@@ -10,8 +10,9 @@ import msgspec
 from playwright.sync_api import Locator, Page, TimeoutError
 
 from aftdeck.station.messages.frame import Frame
+from tests.waits import WAIT_S
 
-WAIT_MS = 60_000
+WAIT_MS = int(1000.0 * WAIT_S)
 """Longest wait for an action of a page [ms]; software drawing on a busy machine is slow."""
 
 TURNED = "document.querySelector('.rotary .turned')?.textContent"

@@ -12,10 +12,11 @@ from playwright.sync_api import Browser
 from aftdeck.recording.reader import Recording
 from aftdeck.recording.trial import Trial
 from aftdeck.station.playback.one_file import write_html
-from tests.browser.conftest import COMPILED_S, NARROW, SIZES, OpenPage
+from tests.browser.conftest import NARROW, SIZES, OpenPage
 from tests.browser.flight import WAIT_MS, Flight
 from tests.browser.layout_checks import assert_readable, assert_tidy, clashes
 from tests.station.recordings import playing, record_run
+from tests.waits import WAIT_S
 
 pytestmark = pytest.mark.browser
 
@@ -187,10 +188,10 @@ def test_replay_has_the_look_of_1972_at_the_playhead(replay: Flight) -> None:
     assert monitor.get_by_role("button", name="Planes").count() == 0
     look = monitor.get_by_role("button", name="1972", exact=True)
     look.click()
-    replay.until(f"!{SEVENTIES}.hidden && {BRIGHT} > 0", COMPILED_S * 1000)
+    replay.until(f"!{SEVENTIES}.hidden && {BRIGHT} > 0", WAIT_S * 1000)
     first = replay.script(BRIGHT)
     press(replay, "Play")
-    replay.until(f"{BRIGHT} !== {first}", COMPILED_S * 1000)
+    replay.until(f"{BRIGHT} !== {first}", WAIT_S * 1000)
     look.click()
     replay.until(f"{SEVENTIES}.hidden")
     press(replay, "Pause")

@@ -10,9 +10,10 @@ import pytest
 from playwright.sync_api import Locator
 
 from aftdeck.arrays import Array
-from tests.browser.conftest import COMPILED_S, OpenPage
+from tests.browser.conftest import OpenPage
 from tests.browser.flight import Flight
 from tests.browser.test_windows import open_window, own_window
+from tests.waits import WAIT_S
 
 pytestmark = [pytest.mark.browser, pytest.mark.slow, pytest.mark.long]
 
@@ -57,7 +58,7 @@ def switch(flight: Flight, monitor: int) -> None:
     """Switch a monitor to the look of 1972, and wait until its first picture is drawn; the first one compiles laws."""
     key(flight, monitor).click()
     flight.until(f"!{_CANVAS.format(monitor)}.hidden")
-    end = time.monotonic() + COMPILED_S
+    end = time.monotonic() + WAIT_S
     while grey(flight, monitor).max() < 30.0:
         assert time.monotonic() < end, "no polygons are drawn"
 
@@ -119,7 +120,7 @@ def test_an_engineering_view_has_the_look_and_follows_its_drag(flight: Flight) -
     flight.page.mouse.down()
     flight.page.mouse.move(x + 0.3 * box["width"], y, steps=5)
     flight.page.mouse.up()
-    end = time.monotonic() + COMPILED_S
+    end = time.monotonic() + WAIT_S
     while np.abs(grey(flight, 0) - first).mean() < 5.0:
         assert time.monotonic() < end, "the polygons do not follow the view"
 
@@ -138,7 +139,7 @@ def test_the_view_of_all_cameras_has_the_look_in_every_tile(flight: Flight) -> N
     look = flight.page.locator(".views").get_by_role("button", name="1972", exact=True)
     look.click()
     flight.until(f"{TILES}.every((tile) => !tile.hidden)")
-    flight.until(f"{TILES}.filter({_DRAWN}).length > 10", COMPILED_S * 1000)
+    flight.until(f"{TILES}.filter({_DRAWN}).length > 10", WAIT_S * 1000)
     look.click()
     flight.until(f"{TILES}.every((tile) => tile.hidden)")
 

@@ -27,14 +27,13 @@ from aftdeck.recording.records import Opening
 from aftdeck.scenario.model import Scenario
 from aftdeck.simulation.inputs import Inputs
 from aftdeck.simulation.warm import warm_up
+from tests.waits import WAIT_S
 
 AT_ONCE = 5
 """Number of simultaneous runs; two slow processors are sufficient for them."""
 LEAST_S, MOST_S = 0.0, 2.0
 """Range of the random time until a run is killed [s]; this time starts when every simultaneous run has made a step."""
 PERIOD_S = 0.02
-WAIT_S = 60.0
-"""Longest wait for a condition [s]."""
 
 
 class Check(NamedTuple):

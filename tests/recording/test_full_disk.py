@@ -23,12 +23,11 @@ from aftdeck.simulation.run import Simulation
 from aftdeck.simulation.warm import warm_up
 from tests.full_disk import full_disk
 from tests.recording.flown import bay, record_steps
+from tests.waits import WAIT_S
 
 ROOM = 100_000
 """Maximum size of a file on the full disk [bytes]."""
 SCRIPT = '[[phase]]\nmode = "ORB UNL"\ntranslation = [0.6, 0, 0.2]\nduration = "20 s"'
-WAIT_S = 60.0
-"""Longest wait for a condition [s]."""
 
 
 @pytest.fixture(scope="module", autouse=True)

@@ -26,10 +26,9 @@ from aftdeck.scenario.model import Scenario
 from aftdeck.simulation.inputs import Inputs
 from aftdeck.simulation.run import Simulation
 from tests.recording.flown import bay, record_steps
+from tests.waits import WAIT_S
 
 SCRIPT = '[[phase]]\nmode = "ORB UNL"\ntranslation = [0.6, 0, 0.2]\nduration = "0.2 s"'
-WAIT_S = 60.0
-"""Longest wait for a condition [s]."""
 
 
 def made() -> Scenario:

@@ -21,9 +21,7 @@ from aftdeck.scenario.load import load_scenario
 from aftdeck.simulation.inputs import Inputs
 from aftdeck.simulation.run import Simulation
 from tests.recording.flights import read, record_random_sticks
-
-WAIT_S = 60.0
-"""Longest wait for a condition [s]."""
+from tests.waits import WAIT_S
 
 
 @pytest.fixture

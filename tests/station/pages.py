@@ -26,9 +26,8 @@ from aftdeck.station.session.preparation import ready
 from aftdeck.station.session.session import Session
 from aftdeck.tuples import Vec3
 from tests.loaded import scenario
+from tests.waits import WAIT_S
 
-WAIT_S = 60.0
-"""Longest wait for a condition [s]; even on a busy machine, a longer wait means a fault."""
 LATE_S = 0.5
 """Allowed delay of a series of frames [s]."""
 STILL = (0.0, 0.0, 0.0)

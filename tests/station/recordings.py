@@ -21,7 +21,8 @@ from aftdeck.station.server.playback_server import replay_app
 from aftdeck.station.server.serve import listen, make_server
 from tests.loaded import scenario
 from tests.simulation.flights import srms
-from tests.station.pages import WAIT_S, until
+from tests.station.pages import until
+from tests.waits import WAIT_S
 
 CONTROLLERS = (
     ControllerRecord("keyboard", "Keyboard", 0.0, 0.0, ("KeyW +X", "KeyS -X"), ()),

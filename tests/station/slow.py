@@ -8,7 +8,7 @@ from threading import Event
 from aftdeck.station.session.preparation import Preparation
 from aftdeck.station.session.session import Session
 from tests.loaded import scenario
-from tests.station.pages import WAIT_S
+from tests.waits import WAIT_S
 
 Report = Callable[[str], None]
 

@@ -20,7 +20,8 @@ from aftdeck.station.server.policy import HEADERS
 from aftdeck.station.server.serve import addresses_of, listen
 from aftdeck.station.session.session import Session
 from tests.loaded import scenario
-from tests.station.pages import WAIT_S, Page, Station, served
+from tests.station.pages import Page, Station, served
+from tests.waits import WAIT_S
 
 FLY, WATCH = "key-of-the-operator", "key-of-an-observer"
 KEYED = Access(LOCAL.names, keys=(("fly", FLY), ("watch", WATCH)))

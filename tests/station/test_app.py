@@ -15,7 +15,8 @@ from aftdeck.station.messages.frame import Frame
 from aftdeck.station.server import app as station_app
 from aftdeck.station.session.session import Session
 from tests.loaded import scenario
-from tests.station.pages import WAIT_S, Station, closing, served
+from tests.station.pages import Station, closing, served
+from tests.waits import WAIT_S
 
 FOREIGN = {
     "another site": {"Origin": "http://evil.example"},

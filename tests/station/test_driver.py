@@ -20,7 +20,8 @@ from aftdeck.station.session.page_inputs import MAX_WAITING
 from aftdeck.station.session.session import Session
 from tests.loaded import scenario
 from tests.station.flying import driven, shown
-from tests.station.pages import STILL, WAIT_S, in_time, until
+from tests.station.pages import STILL, in_time, until
+from tests.waits import WAIT_S
 
 
 def test_driver_goes_from_ready_to_flying_to_closed() -> None:

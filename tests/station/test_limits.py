@@ -24,8 +24,9 @@ from aftdeck.station.server.allowance import Allowance
 from aftdeck.station.server.terse_log import TerseHandler
 from aftdeck.station.session.session import Session
 from tests.loaded import scenario
-from tests.station.pages import WAIT_S, Page, Station, closing, served, until
+from tests.station.pages import Page, Station, closing, served, until
 from tests.station.recordings import record_run
+from tests.waits import WAIT_S
 
 KEY = base64.b64encode(bytes(16)).decode()
 UPGRADE = "Host: 127.0.0.1\r\nUpgrade: websocket\r\nConnection: Upgrade\r\nSec-WebSocket-Version: 13\r\n"

@@ -15,7 +15,8 @@ from aftdeck.simulation.inputs import Inputs
 from aftdeck.station.messages import from_page
 from aftdeck.station.messages.frame import Frame
 from aftdeck.station.session.page_inputs import MAX_WAITING
-from tests.station.pages import STILL, WAIT_S, Page, Station, closing, until
+from tests.station.pages import STILL, Page, Station, closing, until
+from tests.waits import WAIT_S
 
 
 @pytest.mark.slow

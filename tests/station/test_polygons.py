@@ -32,7 +32,8 @@ from aftdeck.visual.diagram import sheet
 from aftdeck.visual.picture import picture_of
 from aftdeck.visual.scene import Eye, VisualScene
 from tests.loaded import scenario
-from tests.station.pages import WAIT_S, Page, Station, served, text_of, until
+from tests.station.pages import Page, Station, served, text_of, until
+from tests.waits import WAIT_S
 
 NAME = "concept-1972-script"
 SIZE = (600, 400)

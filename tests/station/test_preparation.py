@@ -20,8 +20,9 @@ from aftdeck.station.messages.welcome import Welcome
 from aftdeck.station.server.app import make_app
 from aftdeck.station.server.page import MAX_PAGES, TOO_MANY_PAGES
 from tests.loaded import scenario
-from tests.station.pages import WAIT_S, Page, Server, serving, until
+from tests.station.pages import Page, Server, serving, until
 from tests.station.slow import Slow
+from tests.waits import WAIT_S
 
 HELLO = from_page.Hello(kinds.PROTOCOL)
 

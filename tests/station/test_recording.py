@@ -22,8 +22,9 @@ from aftdeck.station.playback.store import PlaybackStore
 from aftdeck.station.playback.verdict import CHECKING
 from tests.loaded import scenario
 from tests.station.flying import Flown, flying, shown, step_until, steps
-from tests.station.pages import STILL, WAIT_S, until
+from tests.station.pages import STILL, until
 from tests.station.recordings import ended, files
+from tests.waits import WAIT_S
 
 ROOM = 90_000
 

@@ -19,8 +19,9 @@ from aftdeck.station.messages.playback import BLOCK, Block, PlaybackIndex, Verdi
 from aftdeck.station.playback import answers
 from aftdeck.station.server import player as station_player
 from aftdeck.station.server.playback_server import serve_recording
-from tests.station.pages import WAIT_S, until
+from tests.station.pages import until
 from tests.station.recordings import playing, record_run
+from tests.waits import WAIT_S
 
 PAGE = "<html><head><title>Aftdeck</title></head><body></body></html>"
 

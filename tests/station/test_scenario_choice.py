@@ -25,8 +25,9 @@ from aftdeck.station.server.page import NOT_IN_CONTROL
 from aftdeck.station.server.scenario_list import ScenarioList
 from aftdeck.station.session.session import Session
 from tests.loaded import scenario
-from tests.station.pages import WAIT_S, Page, Station, served
+from tests.station.pages import Page, Station, served
 from tests.station.recordings import ended, files
+from tests.waits import WAIT_S
 
 OTHER = "singular"
 """Scenario with the same arm, so that no other laws are compiled."""

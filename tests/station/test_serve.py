@@ -23,10 +23,8 @@ from aftdeck.station.server.serve import SEND_BUFFER, listen, make_server, serve
 from aftdeck.station.session.preparation import ready
 from aftdeck.station.session.session import Session
 from tests.loaded import scenario
-from tests.station.pages import WAIT_S, Page, served
-
-START_S = 300.0
-"""Longest time until `aftdeck fly` answers, or ends [s]; the first start compiles the laws."""
+from tests.station.pages import Page, served
+from tests.waits import WAIT_S
 
 
 @pytest.fixture
@@ -57,12 +55,12 @@ def address(process: subprocess.Popen[str]) -> str:
 def test_control_c_ends_a_station_with_a_page_without_traceback(running: subprocess.Popen[str]) -> None:
     host = address(running)
     url = f"ws://{host}/ws"
-    with connect(url, compression=None, max_queue=None, open_timeout=START_S, close_timeout=0.2) as link:
+    with connect(url, compression=None, max_queue=None, open_timeout=WAIT_S, close_timeout=0.2) as link:
         Page(link).greet()
         assert running.stdout is not None
         assert any("'First flight'" in line and "Ctrl+C" in line for line in running.stdout)
         running.send_signal(signal.SIGINT)
-        assert running.wait(START_S) in (0, 130)
+        assert running.wait(WAIT_S) in (0, 130)
     assert running.stderr is not None
     assert running.stderr.read() == ""
 
@@ -70,7 +68,7 @@ def test_control_c_ends_a_station_with_a_page_without_traceback(running: subproc
 def test_control_c_during_the_start_ends_without_traceback(running: subprocess.Popen[str]) -> None:
     address(running)
     running.send_signal(signal.SIGINT)
-    assert running.wait(START_S) in (0, 130)
+    assert running.wait(WAIT_S) in (0, 130)
     assert running.stderr is not None
     assert "Traceback" not in running.stderr.read()
 

@@ -17,7 +17,8 @@ from aftdeck.station.server import sheets
 from aftdeck.station.session.painter import Painter
 from aftdeck.station.session.session import Session
 from tests.loaded import scenario
-from tests.station.pages import WAIT_S, Station, served, until
+from tests.station.pages import Station, served, until
+from tests.waits import WAIT_S
 
 NAME = "concept-1972-script"
 

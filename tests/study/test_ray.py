@@ -21,11 +21,11 @@ from aftdeck.study.ray_access import MODE, TOKEN, TOKEN_PATH
 from benchmarks.ray_nodes import nodes
 from tests.ray_lines import LEAN, free_port
 from tests.study.studies import written
+from tests.waits import WAIT_S
 
 pytestmark = pytest.mark.slow
 
 SECRET = "5ea1" * 16
-WAIT_S = 300.0
 ONE_AFTER_THE_OTHER = """
 import sys
 from aftdeck.study.ray_connection import connected

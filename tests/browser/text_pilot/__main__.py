@@ -7,7 +7,7 @@ import sys
 
 from playwright.sync_api import sync_playwright
 
-from tests.browser.conftest import FLAGS, START_S, running_station
+from tests.browser.conftest import FLAGS, running_station
 from tests.browser.flight import WAIT_MS
 from tests.browser.text_pilot.pilot import Pilot, Report
 from tests.conftest import find_chromium
@@ -26,7 +26,7 @@ def main() -> int:
     given = options.parse_args()
     reports = []
     with sync_playwright() as playwright:
-        browser = playwright.chromium.launch(executable_path=find_chromium(), args=FLAGS, timeout=START_S * 1000.0)
+        browser = playwright.chromium.launch(executable_path=find_chromium(), args=FLAGS, timeout=WAIT_MS)
         for scenario in given.scenarios:
             with running_station(scenario) as address:
                 page = browser.new_page(viewport={"width": 1440, "height": 900})
