@@ -117,12 +117,12 @@ class ArmModel:
         """Names of all frames that carry a body: the linkage's frames, then those of the joints that switches drive."""
         return (*self.linkage.frames, *(joint.frame for joint in self.switched))
 
-    @property
+    @functools.cached_property
     def telescope(self) -> SwitchedJoint | None:
         """Joint that carries the arm, driven by the telescope's switch; None if the arm has no telescope."""
         return self._driven_by(TELESCOPE)
 
-    @property
+    @functools.cached_property
     def prong(self) -> SwitchedJoint | None:
         """Prong of the end effector, driven by its switch; None if the end effector has snares."""
         return self._driven_by(PRONG)

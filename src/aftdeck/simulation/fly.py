@@ -42,7 +42,7 @@ def go(flight: Flight, state: State, log: Log, inputs: Inputs) -> None:
     if state.panel.sequence != "in progress":
         state.command[MOTION_ACTIVE] = 0.0
     elif state.command[MOTION_ACTIVE] == 0.0:
-        start_motion(state.rules_while(under_way=True), state.command, state.steering)
+        start_motion(state.rules_under_way, state.command, state.steering)
         if state.command[MOTION_ACTIVE] != 0.0:
             state.panel.motion_began = state.tick - 1
     hold_position(flight.plant, state)
@@ -52,7 +52,7 @@ def go(flight: Flight, state: State, log: Log, inputs: Inputs) -> None:
     rates = state.steering[RATES : RATES + len(state.plant.angles)]
 
     # limit the motion to what contacts, berths and walls allow
-    telescope = limit_motion(flight, state, inputs.telescope)
+    telescope = limit_motion(flight, state, rates, inputs.telescope)
 
     # move the plant, with what disturbs it, then the worksite: contacts, captures, berths
     disturb(flight, state, log, inputs)

@@ -174,18 +174,15 @@ class State(StatePart):
     @property
     def rules(self) -> Array:
         """Steering rules in force. While no automatic motion is in progress, law 2's rules replace those of law 1."""
-        return self.rules_while(under_way=bool(self.command[MOTION_ACTIVE]))
-
-    def rules_while(self, *, under_way: bool) -> Array:
-        """Return the steering's rules.
-
-        Args:
-            under_way: whether an automatic motion is in progress. If not, law 2's rules replace those of law 1.
-        """
         panel, law = self.panel, self.panel.flown
-        if law == AUTOMATIC_LAWS["position"] and not under_way:
+        if law == AUTOMATIC_LAWS["position"] and self.command[MOTION_ACTIVE] == 0.0:
             law = AUTOMATIC_LAWS["closed loop"]
         return self.carried.rules[panel.mode, panel.rate, law]
+
+    @property
+    def rules_under_way(self) -> Array:
+        """Steering rules of an automatic motion that is in progress or begins."""
+        return self.carried.rules[self.panel.mode, self.panel.rate, self.panel.flown]
 
     @property
     def shoulder_offset(self) -> float:

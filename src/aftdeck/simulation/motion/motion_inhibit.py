@@ -23,12 +23,13 @@ AHEAD = (1.0, 8.0, 64.0, 512.0)
 """Numbers of control steps after which the poses are tested, to find whether a motion leads out of the contacts."""
 
 
-def limit_motion(flight: Flight, state: State, telescope: float) -> float:
+def limit_motion(flight: Flight, state: State, rates: Array, telescope: float) -> float:
     """Limit the rates in `state.steering` and the telescope's drive to what contacts, berths and walls allow.
 
     Args:
         flight: constants of the run.
         state: state with the step's commanded rates.
+        rates: (n,) these rates, a view of `state.steering`.
         telescope: commanded drive of the telescope, in [-1, 1].
 
     Returns:
@@ -38,7 +39,6 @@ def limit_motion(flight: Flight, state: State, telescope: float) -> float:
     worksite.halt = ""
     sliding = sliding_payload(worksite.held, mode) if flight.inhibits else None
     worksite.contacts.essential[:] = flight.site.essential_while(sliding, worksite.permitted)
-    rates = state.steering[RATES : RATES + len(plant.angles)]
     moved = telescope or any(rates.tolist())
     if worksite.arm_fixed or joint_lock_reason(state.panel):
         if moved:

@@ -16,12 +16,12 @@ class Standing(Cache):
 
     def __init__(self, arm: Arm) -> None:
         self._arm = arm
-        self.height = float(arm.model.links[L1])
+        self._at = self.height = float(arm.model.links[L1])
 
     def at(self, height: float) -> Arm:
         """Return the arm with its shoulder at this height [m]."""
-        if self._arm.model.links[L1] != height:
-            self._arm = Arm(self._arm.model.standing(height))
+        if self._at != height:
+            self._arm, self._at = Arm(self._arm.model.standing(height)), height
         return self._arm
 
     def copied(self) -> Standing:

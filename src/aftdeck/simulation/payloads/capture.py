@@ -15,7 +15,7 @@ from aftdeck.simulation.payloads.fixing import stay_or_leave
 from aftdeck.simulation.payloads.grasp import attach, empty_grasp
 from aftdeck.simulation.payloads.mechanism import is_blocked
 from aftdeck.simulation.state import Panel
-from aftdeck.worksite.capture.effector import EndEffector
+from aftdeck.worksite.capture.effector import EndEffector, Moved
 from aftdeck.worksite.capture.snare import Snare
 
 
@@ -44,7 +44,13 @@ def capture(
     if attached:
         _reject_switches(log, inputs)
     elif site.capture is not None:
-        k = _move(flight, worksite, log, site.capture, pressed=inputs.effector is not None)
+        controls = worksite.controls(pressed=inputs.effector is not None)
+        moved = site.capture.step(
+            controls, worksite.held, worksite.frames, worksite.watch.placed, flight.scenario.control_period,
+            flight.scenario.arm.model.units,
+        )  # fmt: skip
+        if moved is not None:
+            k = _move(flight, worksite, log, site.capture, moved)
     if k is None:
         return
     if worksite.held is None:
@@ -67,27 +73,22 @@ def _reject_switches(log: Log, inputs: Inputs) -> None:
             )
 
 
-def _move(flight: Flight, worksite: WorksiteState, log: Log, device: EndEffector, *, pressed: bool) -> int | None:
-    """Move the end effector by one step, unless it would draw a held payload into a contact.
+def _move(flight: Flight, worksite: WorksiteState, log: Log, device: EndEffector, moved: Moved) -> int | None:
+    """Apply a step of the end effector, unless it would draw a held payload into a contact.
 
     Returns:
         The payload that it now captures or releases; None if there is none.
     """
-    scenario, held = flight.scenario, worksite.held
-    k, snare, lines = device.step(
-        worksite.controls(pressed=pressed), held, worksite.frames, worksite.watch.placed, scenario.control_period,
-        scenario.arm.model.units,
-    )  # fmt: skip
-    blocked = False
-    if held is not None and snare.drawn != worksite.snare.drawn:
-        blocked = not _draw_in(flight, worksite, log, held, snare, device)
-    for line in lines:
+    held, blocked = worksite.held, False
+    if held is not None and moved.snare.drawn != worksite.snare.drawn:
+        blocked = not _draw_in(flight, worksite, log, held, moved.snare, device)
+    for line in moved.lines:
         if line.kind == "refused" or not blocked:
             log.add(line.kind, line.level, line.text)
     if blocked:
         return None
-    worksite.snare = snare
-    return k
+    worksite.snare = moved.snare
+    return moved.payload
 
 
 def _draw_in(flight: Flight, worksite: WorksiteState, log: Log, k: int, snare: Snare, device: EndEffector) -> bool:

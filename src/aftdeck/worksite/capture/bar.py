@@ -130,7 +130,7 @@ class Bar(EndEffector):
 
     def step(
         self, controls: Controls, held: int | None, frames: Array, placed: Array, period: float, units: Units
-    ) -> Moved:
+    ) -> Moved | None:
         """Return the payload that the fingers now capture or release.
 
         They capture a payload if the six conditions of acquisition hold, and release it if they are too far apart. The
@@ -139,9 +139,9 @@ class Bar(EndEffector):
         del frames, period, units
         if held is not None:
             apart = self.fixed_finger - controls.prong > self.tolerances.spacing
-            return Moved(held if apart else None, controls.snare)
+            return Moved(held, controls.snare) if apart else None
         payload = acquired_bar(placed, self.bars, self.packed)
-        return Moved(None if payload < 0 else payload, controls.snare)
+        return None if payload < 0 else Moved(payload, controls.snare)
 
     def until_touch(self, placed: Array, payload: int) -> float:
         """Return how far the prong can close until it touches a payload's bar [m]; infinite without a bar."""

@@ -12,6 +12,8 @@ from dataclasses import dataclass
 from math import inf
 from typing import ClassVar, Literal, NamedTuple
 
+import msgspec
+
 from aftdeck.arms.load import ArmModel
 from aftdeck.arrays import Array
 from aftdeck.worksite.capture.snare import Snare
@@ -53,7 +55,7 @@ class CaptureTable(Table, frozen=True, kw_only=True, tag_field="kind"):
         raise NotImplementedError
 
 
-class Controls(NamedTuple):
+class Controls(msgspec.Struct, frozen=True):
     """Controls and state of the end effector in a step.
 
     Attributes:
@@ -80,7 +82,7 @@ class Nearest(NamedTuple):
     conditions: tuple[Condition, ...]
 
 
-class Moved(NamedTuple):
+class Moved(msgspec.Struct, frozen=True):
     """Result of a step of the end effector.
 
     Attributes:
@@ -138,8 +140,8 @@ class EndEffector(ABC):
     @abstractmethod
     def step(
         self, controls: Controls, held: int | None, frames: Array, placed: Array, period: float, units: Units
-    ) -> Moved:
-        """Return the state after a step, and the payload that the end effector now captures or releases.
+    ) -> Moved | None:
+        """Return the state after a step, and the payload that is now captured or released; None if nothing changes.
 
         Args:
             controls: controls and state before the step.

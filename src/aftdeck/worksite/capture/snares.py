@@ -160,11 +160,11 @@ class Snares(EndEffector):
 
     def step(
         self, controls: Controls, held: int | None, frames: Array, placed: Array, period: float, units: Units
-    ) -> Moved:
+    ) -> Moved | None:
         """Move the snares and the carriage by one step of CAPTURE, RELEASE or MAN CONTR."""
         before, payload = controls.snare, held
         if not controls.pressed and not before.motion and controls.rigid == "off":
-            return Moved(None, before)
+            return None
         conditions: tuple[Condition, ...] = ()
         if held is None and (near := self.nearest(frames, placed, inf)) is not None:
             payload, conditions = near

@@ -47,6 +47,9 @@ class Inhibit(NamedTuple):
     changed: bool
 
 
+UNINHIBITED = Inhibit(arm=False, finger=False, changed=False)
+
+
 class Counted(NamedTuple):
     """Result of `count_frames`.
 
@@ -132,7 +135,7 @@ class Contacts(StatePart):
     essential: Mask
     arm: Mask
     count: Mask
-    inhibit: Inhibit = Inhibit(arm=False, finger=False, changed=False)
+    inhibit: Inhibit = UNINHIBITED
 
     def update(self, found: Array, prong: Mask, mode: int) -> Inhibit:
         """Count the contacts in a step's measurements, `ClearanceMonitor.found` (g, 15), and return the flags."""
@@ -152,7 +155,7 @@ class Contacts(StatePart):
         arm, finger = False, False
         if touching and inhibits:
             arm, finger = two_frames(self.count, self.essential, self.arm, prong, mode)
-        self.inhibit = Inhibit(bool(arm), bool(finger), bool(changed))
+        self.inhibit = Inhibit(bool(arm), bool(finger), bool(changed)) if arm or finger or changed else UNINHIBITED
         return self.inhibit
 
     def standing(self, layout: Layout, found: Array, units: Units) -> tuple[Contact, ...]:
