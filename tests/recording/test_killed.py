@@ -26,7 +26,7 @@ WAIT_S = 500.0
 
 def record_and_kill(folder: Path, count: int) -> list[Killed]:
     """Record and kill runs in a subprocess, and return the data about them."""
-    command = [sys.executable, killed_flights.__file__, str(folder), str(count), "5"]
+    command = [sys.executable, "-m", killed_flights.__name__, str(folder), str(count), "5"]
     done = subprocess.run(command, capture_output=True, timeout=WAIT_S, check=False)
     assert (done.returncode, done.stderr) == (0, b"")
     runs = [msgspec.json.decode(line, type=Killed) for line in done.stdout.splitlines()]
