@@ -10,9 +10,10 @@ import numpy as np
 from mcap.reader import make_reader
 
 from aftdeck.recording.live import Live
+from aftdeck.recording.records import Note
 from aftdeck.recording.writer import Recorder
 from aftdeck.scenario.load import load_scenario
-from aftdeck.simulation.frame import Event, Frame
+from aftdeck.simulation.frame import Frame
 from aftdeck.simulation.inputs import Inputs
 from aftdeck.simulation.run import Simulation
 from tests.recording.protobuf import Decoder
@@ -42,7 +43,7 @@ def record_random_sticks(scenario: str, path: Path | None, steps: int, live: Liv
         inputs = Inputs(translation=(x, y, z), rotation=(roll, pitch, yaw), mode="END EFF" if k == steps // 2 else None)
         frames.append(simulation.step(inputs))
         recorder.step(inputs, frames[-1])
-    recorder.note(Event(frames[-1].time_s, "hand", "caution", NOTE))
+    recorder.put(Note(frames[-1].time_s, "hand", "caution", NOTE, 0.0))
     recorder.close("stopped")
     assert not recorder.failure
     return frames

@@ -20,13 +20,22 @@ from aftdeck.errors import RecordingError
 from aftdeck.recording.chain import Chain, Declared
 from aftdeck.recording.channels import VIEWED
 from aftdeck.recording.codec import encode
+from aftdeck.recording.content import Ended
 from aftdeck.recording.message import Message
 from aftdeck.recording.reader import Recording
-from aftdeck.recording.records import CHANNELS, Closing, ControllerRecord
-from aftdeck.recording.writer import Ended, Recorder
-from aftdeck.scenario.light import Lighting
+from aftdeck.recording.records import (
+    CHANNELS,
+    Closing,
+    ControllerRecord,
+    ControllersRecord,
+    DelayRecord,
+    LightRecord,
+    Note,
+    Shown,
+)
+from aftdeck.recording.writer import Recorder
 from aftdeck.scenario.model import Scenario
-from aftdeck.simulation.frame import Event, Frame
+from aftdeck.simulation.frame import Frame
 from aftdeck.simulation.inputs import Inputs
 from tests.steering.flying import scenario
 from tests.steering.random_runs import equipped, inputs, start
@@ -82,14 +91,15 @@ def record_every_channel(path: Path) -> None:
     made = bay()
     sim = aftdeck.Simulation(made)
     recorder = Recorder(path, made, sim.seed, real_time=True)
-    recorder.light(0.0, Lighting("night", (), ()))
-    recorder.controllers(0.0, (ControllerRecord("keyboard", "keys", 0.1, 0.3, ("KeyW +X",), (0.0,)),))
-    recorder.shown(0.0, (("A",), ("B", "C")))
+    recorder.put(LightRecord(0.0, "night", (), ()))
+    keyboard = ControllerRecord("keyboard", "keys", 0.1, 0.3, ("KeyW +X",), (0.0,))
+    recorder.put(ControllersRecord(0.0, (keyboard,), 0.0))
+    recorder.put(Shown(0.0, ("A",), ("B", "C")))
     for k in range(STEPS):
         inputs = Inputs((0.5, -0.2, 0.1), (0.0, 0.3, 0.0), mode="END EFF" if k == 3 else None)
         recorder.step(inputs, sim.step(inputs), 40.0)
-    recorder.note(Event(0.2, "hand", "info", "manual control"))
-    recorder.delay(STEPS, 0.4, 0.4, 0.15)
+    recorder.put(Note(0.2, "hand", "info", "manual control", 0.2))
+    recorder.put(DelayRecord(STEPS, 0.4, 0.4, 0.15, 0.4))
     recorder.close("stopped")
     assert recorder.failure == "" and recorder.chain
     topics = {entry.channel.topic for entry in Recording(path).entries()}

@@ -1,7 +1,8 @@
 """Program that records runs in real time and kills each of them.
 
-Usage: ``python -m tests.recording.killed_flights FOLDER COUNT SEED``. It prints a `Killed` as a line of JSON for each run. It loads the laws once, and then forks a process for each run. No
-thread is started before the forks.
+Usage: ``python -m tests.recording.killed_flights FOLDER COUNT SEED``. It prints a
+`Killed` as a line of JSON for each run. It loads the laws once, and then forks a process for each run. No thread is
+started before the forks.
 """
 
 from __future__ import annotations

@@ -16,10 +16,9 @@ from mcap.writer import CompressionType, Writer
 from aftdeck.errors import RecordingError
 from aftdeck.recording.plain_form import plain
 from aftdeck.recording.reader import Recording
-from aftdeck.recording.records import Closing, FrameRecord
+from aftdeck.recording.records import Closing, FrameRecord, Note
 from aftdeck.recording.replay import verify
 from aftdeck.recording.writer import Recorder
-from aftdeck.simulation.frame import Event
 from aftdeck.simulation.run import Simulation
 from tests.each import number
 from tests.recording.damaging import check_flips, check_prefix, flips
@@ -42,7 +41,7 @@ def whole(tmp_path_factory: pytest.TempPathFactory) -> Path:
         for k in range(STEPS):
             recorder.step(None, sim.step())
             if k == STEPS // 2:
-                recorder.note(Event(1.0, "hand", "info", NOTE))
+                recorder.put(Note(1.0, "hand", "info", NOTE, 1.0))
         recorder.close("stopped")
     assert recorder.failure == ""
     assert sum(kind == 6 for _, kind, _ in chunks(path.read_bytes())) > 10

@@ -15,14 +15,15 @@ from aftdeck.recording.index import Index
 from aftdeck.recording.reader import Recording
 from aftdeck.recording.replay import verify
 from aftdeck.recording.run import record
-from aftdeck.recording.session_recorder import SessionRecorder
 from aftdeck.recording.sink import Sink
 from aftdeck.recording.writer import Recorder
 from aftdeck.simulation.inputs import Inputs
 from aftdeck.simulation.run import Simulation
 from aftdeck.simulation.warm import warm_up
+from aftdeck.station.session.session_recorder import SessionRecorder
 from tests.full_disk import full_disk
 from tests.recording.flown import bay, record_steps
+from tests.station.stepped import one_step
 from tests.waits import WAIT_S
 
 ROOM = 100_000
@@ -180,11 +181,10 @@ def test_session_recorder_reports_an_unusable_folder_once(
     (tmp_path / "file").touch()
     recorder = SessionRecorder(folder, None)
     made = bay(name=name)
-    recorder.begin(made, 0)
-    recorder.step(Inputs(), Simulation(made).step(Inputs()), None)
+    one_step(recorder, made)
     (text,) = recorder.take_errors()
     assert str(folder) in text
-    assert recorder.take_errors() == [] and recorder.running_s is None and recorder.file is None
+    assert recorder.take_errors() == [] and not recorder.recorded and recorder.file is None
     recorder.end("restarted")
     recorder.close()
     assert capsys.readouterr().err == f"aftdeck: {text}\n"
@@ -194,8 +194,7 @@ def test_runs_that_begin_in_one_second_have_different_names(tmp_path: Path) -> N
     made = bay()
     recorder = SessionRecorder(tmp_path, None)
     for _ in range(5):
-        recorder.begin(made, 0)
-        recorder.step(Inputs(), Simulation(made).step(Inputs()), None)
+        one_step(recorder, made)
         recorder.end("restarted")
     recorder.close()
     assert recorder.take_errors() == []
@@ -206,7 +205,6 @@ def test_runs_that_begin_in_one_second_have_different_names(tmp_path: Path) -> N
 def test_session_recorder_without_a_folder_records_nothing(tmp_path: Path) -> None:
     recorder = SessionRecorder(None, Index(tmp_path / "list.sqlite"))
     made = bay()
-    recorder.begin(made, 0)
-    recorder.step(Inputs(), Simulation(made).step(Inputs()), None)
+    one_step(recorder, made)
     recorder.close()
-    assert recorder.running_s is None and list(tmp_path.iterdir()) == []
+    assert not recorder.recorded and list(tmp_path.iterdir()) == []

@@ -19,13 +19,14 @@ from aftdeck.errors import RecordingError
 from aftdeck.recording.bundle import opening
 from aftdeck.recording.index import Entry, Index
 from aftdeck.recording.run import record
-from aftdeck.recording.session_recorder import SessionRecorder
 from aftdeck.recording.trial import Trial
 from aftdeck.recording.writer import Recorder
 from aftdeck.scenario.model import Scenario
 from aftdeck.simulation.inputs import Inputs
 from aftdeck.simulation.run import Simulation
+from aftdeck.station.session.session_recorder import SessionRecorder
 from tests.recording.flown import bay, record_steps
+from tests.station.stepped import one_step
 from tests.waits import WAIT_S
 
 SCRIPT = '[[phase]]\nmode = "ORB UNL"\ntranslation = [0.6, 0, 0.2]\nduration = "0.2 s"'
@@ -229,8 +230,7 @@ def test_unusable_list_is_reported_and_the_run_is_recorded(tmp_path: Path, how: 
     path = tmp_path / "run.mcap"
     assert record(made(), path, index=index).summary.ended == "completed"
     recorder = SessionRecorder(tmp_path / "flights", index)
-    recorder.begin(made(), 0)
-    recorder.step(Inputs(), Simulation(made()).step(Inputs()), None)
+    one_step(recorder, made())
     recorder.close()
     assert [f.stat().st_size > 0 for f in (tmp_path / "flights").iterdir()] == [True]
 

@@ -13,9 +13,8 @@ from mcap.reader import make_reader
 from mcap.records import Channel, Message, Schema, Statistics
 
 import aftdeck
-from aftdeck.recording.records import CHANNELS
+from aftdeck.recording.records import CHANNELS, Note
 from aftdeck.recording.writer import Recorder
-from aftdeck.simulation.frame import Event
 from aftdeck.simulation.run import Simulation
 from tests.recording.flown import bay, record_random_run
 
@@ -86,7 +85,7 @@ def test_note_agrees_with_its_schema(tmp_path: Path) -> None:
     made = bay()
     recorder = Recorder(tmp_path / "note.mcap", made, 0)
     recorder.step(None, Simulation(made).step())
-    recorder.note(Event(0.02, "hand", "warning", "manual control"))
+    recorder.put(Note(0.02, "hand", "warning", "manual control", 0.0))
     recorder.close("restarted")
     (note,) = [item for item in own(tmp_path / "note.mcap") if item[1].topic == "/notes"]
     assert note[0] is not None

@@ -13,7 +13,7 @@ from aftdeck.report.run_metrics import RunMetrics
 from aftdeck.simulation.frame import AT_HARD, FREE, Frame
 from aftdeck.simulation.inputs import Inputs
 from aftdeck.simulation.run import Simulation
-from aftdeck.station.session.task_run import TaskRun
+from aftdeck.station.core.task_run import TaskRun
 from tests.loaded import scenario
 from tests.task.test_progress import two
 
@@ -65,35 +65,35 @@ def test_each_kind_of_fault_lowers_the_grade_by_one() -> None:
 def test_result_stands_once_all_steps_are_past(skips: int) -> None:
     sim = Simulation(scenario("uncradle"))
     run, steps = TaskRun(sim.scenario), len(sim.scenario.steps)
-    run.see(sim.step(Inputs()), ())
+    run.add(sim.step(Inputs()), ())
     for _ in range(skips):
         run.progress.skip()
     while run.progress.present is not None:
         frame = sim.step()
-        run.see(frame, ())
+        run.add(frame, ())
         assert run.debrief is None or run.progress.present is None
     frame = frame if skips == 0 else sim.step()
-    run.see(frame, ())
+    run.add(frame, ())
     assert run.debrief is not None
     assert run.debrief.grade is None  # skipped, or flown by the script
     assert len(run.debrief.faults) == 1 + (skips > 0 and frame.by == "script")
     (time,) = [figure.value for figure in run.debrief.figures if figure.name == "Run time"]
     assert time == pytest.approx(frame.time_s, abs=0.05)
     later = run.debrief
-    run.see(sim.step(Inputs()), ())
+    run.add(sim.step(Inputs()), ())
     assert run.debrief is later
     run.progress.back()
-    run.see(sim.step(Inputs()), ())
+    run.add(sim.step(Inputs()), ())
     assert (run.debrief is None) == (run.progress.at < steps)
 
 
 def test_run_by_hand_has_a_grade(tmp_path: Path) -> None:
     sim, _ = two(tmp_path)
     run = TaskRun(sim.scenario)
-    run.see(sim.step(Inputs(rate="vernier")), ())
+    run.add(sim.step(Inputs(rate="vernier")), ())
     while run.progress.present is not None:
         frame = sim.step(Inputs(translation=(0.0, 0.0, -1.0)))
-        run.see(frame, ())
+        run.add(frame, ())
         assert frame.tick < 4000
     assert run.debrief is not None
     assert (run.debrief.grade, run.debrief.faults) == ("A", ())
@@ -103,12 +103,12 @@ def test_re_initialisation_begins_a_new_result() -> None:
     sim = Simulation(scenario("concept-1972"))
     run = TaskRun(sim.scenario)
     for _ in range(5):
-        run.see(sim.step(Inputs(translation=(0.0, 0.0, -1.0))), ())
-    run.see(sim.step(Inputs(initialise="manoeuvring")), ())
+        run.add(sim.step(Inputs(translation=(0.0, 0.0, -1.0))), ())
+    run.add(sim.step(Inputs(initialise="manoeuvring")), ())
     assert (run.progress.first, run.progress.at, run.progress.skipped) == (3, 3, ())
     while run.progress.present is not None:
         run.progress.skip()
-    run.see(sim.step(Inputs()), ())
+    run.add(sim.step(Inputs()), ())
     assert run.debrief is not None
     figures = {figure.name: figure.value for figure in run.debrief.figures}
     assert figures["Tip path"] == pytest.approx(0.0, abs=1e-6)

@@ -7,8 +7,8 @@ from collections.abc import Iterator
 
 import pytest
 
+from aftdeck.station.core import page_inputs
 from aftdeck.station.server import guard, page
-from aftdeck.station.session import page_inputs
 from aftdeck.station.session.session import Session
 from tests.loaded import scenario
 from tests.station.pages import Station, served

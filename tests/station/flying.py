@@ -11,8 +11,8 @@ import pytest
 
 from aftdeck.recording.trial import NO_TRIAL, Trial
 from aftdeck.scenario.model import Scenario
+from aftdeck.station.core.autopilot import Autopilots
 from aftdeck.station.messages.frame import Frame
-from aftdeck.station.session.autopilot import Autopilots
 from aftdeck.station.session.driver import Driver
 from aftdeck.station.session.session import Session
 from tests.loaded import scenario

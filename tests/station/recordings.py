@@ -10,10 +10,10 @@ from threading import Thread
 import msgspec
 
 from aftdeck.recording.reader import Recording
-from aftdeck.recording.records import ControllerRecord
+from aftdeck.recording.records import ControllerRecord, ControllersRecord, Note, Shown
 from aftdeck.recording.trial import NO_TRIAL, Trial
 from aftdeck.recording.writer import Recorder
-from aftdeck.simulation.frame import Event, Frame
+from aftdeck.simulation.frame import Frame
 from aftdeck.simulation.inputs import Inputs
 from aftdeck.simulation.run import Simulation
 from aftdeck.station.playback.store import PlaybackStore
@@ -28,7 +28,7 @@ CONTROLLERS = (
     ControllerRecord("keyboard", "Keyboard", 0.0, 0.0, ("KeyW +X", "KeyS -X"), ()),
     ControllerRecord("thc joystick", "Test stick", 0.08, 0.3, ("a1 -X", "a0 +Y"), (0.0, 0.1)),
 )
-NOTE = Event(0.5, "page", "caution", "log line of the station")
+NOTE = Note(0.5, "page", "caution", "log line of the station", 0.5)
 
 
 def files(folder: Path) -> list[Path]:
@@ -47,7 +47,7 @@ def record_run(path: Path, steps: int = 600, *, script: bool = True, trial: Tria
     """Record a run and return its frames: manual translation, then also rotation, then the script, if `script`."""
     simulation = Simulation(scenario())
     recorder = Recorder(path, simulation.scenario, 0, trial=trial)
-    recorder.controllers(0.0, CONTROLLERS)
+    recorder.put(ControllersRecord(0.0, CONTROLLERS, 0.0))
     frames = []
     for i in range(steps):
         rotates = i > steps // 2
@@ -60,10 +60,10 @@ def record_run(path: Path, steps: int = 600, *, script: bool = True, trial: Tria
         frames.append(simulation.step(flown))
         recorder.step(flown, frames[-1], latency_ms=40.0 if rotates else None)
         if i == 0:
-            recorder.shown(frames[-1].time_s, (("C",), ("WR",)))
+            recorder.put(Shown(frames[-1].time_s, ("C",), ("WR",)))
         if i == steps // 2:
-            recorder.note(NOTE)
-            recorder.shown(frames[-1].time_s, (("A", "B"), ("ELB",)))
+            recorder.put(NOTE)
+            recorder.put(Shown(frames[-1].time_s, ("A", "B"), ("ELB",)))
     recorder.close("stopped")
     assert not recorder.failure
     return frames
@@ -76,7 +76,7 @@ def record_capture(path: Path) -> list[Frame]:
     """
     simulation = Simulation(srms(4.0, 1.0, turned=(0.0, 3.0, 0.0)))
     recorder = Recorder(path, simulation.scenario, 0)
-    recorder.controllers(0.0, CONTROLLERS)
+    recorder.put(ControllersRecord(0.0, CONTROLLERS, 0.0))
     frames: list[Frame] = []
 
     def fly(steps: int, inputs: Inputs, first: Inputs | None = None) -> None:
@@ -87,14 +87,14 @@ def record_capture(path: Path) -> list[Frame]:
 
     creep = Inputs(translation=(0.0, 0.05, 0.2))
     fly(1, Inputs(), Inputs(rate="vernier"))
-    recorder.shown(frames[-1].time_s, (("C",), ("WR",)))
+    recorder.put(Shown(frames[-1].time_s, ("C",), ("WR",)))
     fly(250, creep, msgspec.structs.replace(creep, effector="close"))
-    recorder.shown(frames[-1].time_s, (("A",), ("WR",)))
+    recorder.put(Shown(frames[-1].time_s, ("A",), ("WR",)))
     fly(20, Inputs(), Inputs(brakes=True))
     fly(360, Inputs(), Inputs(brakes=False, effector="open"))
-    recorder.shown(frames[-1].time_s, ((), ()))  # the page is reloaded
+    recorder.put(Shown(frames[-1].time_s, (), ()))  # the page is reloaded
     fly(10, Inputs())
-    recorder.shown(frames[-1].time_s, (("A",), ("WR",)))
+    recorder.put(Shown(frames[-1].time_s, ("A",), ("WR",)))
     fly(60, Inputs(translation=(0.0, 0.0, -0.4)), Inputs(rate="coarse"))
     fly(50, Inputs())
     fly(120, Inputs(translation=(0.5, 0.0, 0.0)))

@@ -12,10 +12,10 @@ import pytest
 from websockets.exceptions import InvalidStatus
 from websockets.sync.client import connect
 
+from aftdeck.station.core.desk import NOT_IN_CONTROL
 from aftdeck.station.messages import from_page, to_page
 from aftdeck.station.messages.frame import Frame
 from aftdeck.station.server.access import LOCAL, Access, access_of, shown_host
-from aftdeck.station.server.page import NOT_IN_CONTROL
 from aftdeck.station.server.policy import HEADERS
 from aftdeck.station.server.serve import addresses_of, listen
 from aftdeck.station.session.session import Session

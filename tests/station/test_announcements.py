@@ -23,11 +23,11 @@ def announced(session: Session) -> list[str]:
 def test_announcement_is_logged_recorded_and_counted(tmp_path: Path) -> None:
     with flying(made=scenario("first-flight"), record=tmp_path) as session:
         steps(session, 5)
-        session.announce("operator")
+        session.desk.announce("operator")
         steps(session, 5)
-        session.announce("observer")  # too soon after the first
+        session.desk.announce("observer")  # too soon after the first
         steps(session, 60)
-        session.announce("observer")
+        session.desk.announce("observer")
         steps(session, 5)
         assert [text.split(":")[0] for text in announced(session)] == [
             "clearance problem announced by the operator",

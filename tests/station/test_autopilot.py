@@ -16,8 +16,8 @@ from aftdeck.recording.records import Input
 from aftdeck.recording.replay import verify
 from aftdeck.simulation.inputs import Inputs
 from aftdeck.simulation.run import Simulation
+from aftdeck.station.core.autopilot import Autopilot, Autopilots, Pilot
 from aftdeck.station.messages import from_page
-from aftdeck.station.session.autopilot import Autopilot, Autopilots, Pilot
 from tests.loaded import scenario
 from tests.station.flying import flying, shown, step_until, steps
 
@@ -43,9 +43,9 @@ def test_autopilot_flies_until_a_stick_moves() -> None:
     with flying(autopilots=forward_for(1000)) as session:
         frame = steps(session, 5)
         assert (frame.display.autopilot, frame.by, frame.translation[0]) == ("policy", "hand", 0.5)
-        session.steer(sticks(1, forward=0.0005))
+        session.accept(sticks(1, forward=0.0005))
         assert steps(session, 2).display.autopilot == "policy"
-        session.steer(sticks(2, forward=-0.25))
+        session.accept(sticks(2, forward=-0.25))
         frame = steps(session, 1)
         assert (frame.display.autopilot, frame.display.flown_seq, frame.translation[0]) == (None, 2, -0.25)
         assert session.log.since(0)[-1].text == "manual control: the policy has stopped"
@@ -53,9 +53,9 @@ def test_autopilot_flies_until_a_stick_moves() -> None:
 
 def test_command_of_the_page_takes_over_from_an_autopilot() -> None:
     with flying(autopilots=forward_for(1000)) as session:
-        session.command(from_page.LookAhead(1, 10.0))
+        session.accept(from_page.LookAhead(1, 10.0))
         assert steps(session, 2).display.autopilot == "policy"
-        session.command(from_page.SelectRate(2, "vernier"))
+        session.accept(from_page.SelectRate(2, "vernier"))
         frame = step_until(session, lambda frame: frame.rate == "vernier", "the command")
         assert (frame.display.autopilot, frame.translation[0]) == (None, 0.0)
 
@@ -93,14 +93,14 @@ def test_autopilot_without_possible_inputs_leaves_centred_sticks_to_the_operator
         assert (frame.display.autopilot, frame.translation, frame.rotation, frame.drive) == (None, STILL, STILL, 0.0)
         line = session.log.since(0)[-1]
         assert line.level == "caution" and line.text.startswith("manual control: the policy has stopped: ")
-        session.steer(sticks(2, forward=-0.25))
+        session.accept(sticks(2, forward=-0.25))
         assert steps(session, 1).translation[0] == -0.25
 
 
 def test_autopilot_flies_again_after_a_restart() -> None:
     with flying(autopilots=forward_for(10)) as session:
         assert steps(session, 20).display.autopilot is None
-        session.command(from_page.Restart(1))
+        session.accept(from_page.Restart(1))
         assert steps(session, 1).display.autopilot == "policy"
         assert steps(session, 20).display.autopilot is None
 
@@ -113,7 +113,7 @@ def test_autopilot_of_another_scenario_does_not_fly() -> None:
 def test_camera_does_not_move_while_an_autopilot_flies() -> None:
     refused = pytest.raises(CommandError, match="the policy is in control: move a stick to take over")
     with flying(autopilots=forward_for(10)) as session, refused:
-        session.turn(from_page.DriveCamera(1, "B", 1.0, 0.0, 0.0, slow=False))
+        session.accept(from_page.DriveCamera(1, "B", 1.0, 0.0, 0.0, slow=False))
 
 
 def test_synthetic_operator_flies_scenarios_that_have_steps() -> None:
@@ -127,7 +127,7 @@ def test_synthetic_operator_flies_scenarios_that_have_steps() -> None:
 def test_inputs_of_an_autopilot_are_recorded_and_replay_exactly(tmp_path: Path) -> None:
     with flying(autopilots=forward_for(30), record=tmp_path) as session:
         steps(session, 20)
-        session.steer(sticks(1, forward=-0.5))
+        session.accept(sticks(1, forward=-0.5))
         steps(session, 20)
     (file,) = tmp_path.glob("*.mcap")
     assert verify(file).equal

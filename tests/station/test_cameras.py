@@ -14,11 +14,11 @@ from aftdeck.errors import CommandError
 from aftdeck.recording.reader import Recording
 from aftdeck.recording.records import FrameRecord, Shown
 from aftdeck.recording.replay import verify
+from aftdeck.station.core import page_inputs
+from aftdeck.station.core.page_inputs import SILENCE
 from aftdeck.station.messages import from_page, kinds
 from aftdeck.station.playback.store import PlaybackStore
 from aftdeck.station.playback.verdict import CHECKING
-from aftdeck.station.session import page_inputs
-from aftdeck.station.session.page_inputs import SILENCE
 from tests.station.flying import Flown, flying, shown, step_until, steps
 from tests.station.pages import STILL, text_of
 
@@ -37,9 +37,9 @@ def session() -> Iterator[Flown]:
 
 def test_camera_pans_while_its_switch_is_set(session: Flown) -> None:
     before = shown(session).views
-    session.turn(turn(0, pan=1.0))
+    session.accept(turn(0, pan=1.0))
     step_until(session, lambda frame: frame.views[1][0] > before[1][0] + 0.01, "B pans to the right")
-    session.turn(turn(1))
+    session.accept(turn(1))
     steps(session, 2)
     still = shown(session).views
     assert steps(session, 5).views == still
@@ -49,7 +49,7 @@ def test_camera_pans_while_its_switch_is_set(session: Flown) -> None:
 def test_camera_stops_when_its_page_is_silent_too_long(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(page_inputs, "SILENCE", SILENCE)
     with flying() as session:
-        session.turn(turn(0, tilt=1.0))
+        session.accept(turn(0, tilt=1.0))
         session.now += 0.99 * SILENCE
         before = steps(session, 5).views[1][1]
         assert steps(session, 5).views[1][1] > before
@@ -59,7 +59,7 @@ def test_camera_stops_when_its_page_is_silent_too_long(monkeypatch: pytest.Monke
 
 
 def test_camera_stops_when_its_page_leaves(session: Flown) -> None:
-    session.turn(turn(0, zoom=1.0))
+    session.accept(turn(0, zoom=1.0))
     steps(session, 2)
     session.set_unattended()
     frame = steps(session, 2)
@@ -67,9 +67,9 @@ def test_camera_stops_when_its_page_leaves(session: Flown) -> None:
 
 
 def test_stop_stops_the_camera(session: Flown) -> None:
-    session.turn(turn(0, zoom=1.0))
+    session.accept(turn(0, zoom=1.0))
     steps(session, 2)
-    session.command(from_page.Stop(1))
+    session.accept(from_page.Stop(1))
     frame = steps(session, 2)
     assert steps(session, 5).views == frame.views
 
@@ -87,21 +87,21 @@ def test_invalid_camera_or_rate_is_rejected_with_what_is_allowed(
     session: Flown, message: from_page.DriveCamera, part: str
 ) -> None:
     with pytest.raises(CommandError, match=part):
-        session.turn(message)
+        session.accept(message)
 
 
 def test_camera_is_not_moved_while_the_script_runs() -> None:
     with flying(demo=True) as session:
         with pytest.raises(CommandError):
-            session.turn(turn(0, pan=1.0))
-        session.steer(from_page.Sticks(1, (0.5, 0.0, 0.0), STILL, 0.0))
+            session.accept(turn(0, pan=1.0))
+        session.accept(from_page.Sticks(1, (0.5, 0.0, 0.0), STILL, 0.0))
         step_until(session, lambda frame: frame.by == "hand", "manual control")
-        session.turn(turn(2, pan=1.0))
+        session.accept(turn(2, pan=1.0))
 
 
 def test_unknown_camera_on_a_monitor_is_rejected(session: Flown) -> None:
     with pytest.raises(CommandError, match=r"'Q'.* A, B, C, D, KEEL, ELB, WR, AFT P"):
-        session.shown(from_page.Shown(0, None, (("B",), ("A", "Q"))))
+        session.accept(from_page.Shown(0, None, (("B",), ("A", "Q"))))
 
 
 @pytest.mark.parametrize(
@@ -128,8 +128,8 @@ def test_longest_valid_messages_are_accepted() -> None:
 def test_recording_keeps_changes_of_cameras_and_monitors_and_verifies(tmp_path: Path) -> None:
     with flying(record=tmp_path) as session:
         for seq, monitors in enumerate([(("B",), ("WR",)), (("B",), ("WR",)), (("A", "C"), ("WR",))]):
-            session.shown(from_page.Shown(seq, 40.0, monitors))
-            session.turn(turn(seq, pan=0.5, zoom=0.25))
+            session.accept(from_page.Shown(seq, 40.0, monitors))
+            session.accept(turn(seq, pan=0.5, zoom=0.25))
             steps(session, 10)
         session.set_unattended()
         steps(session, 5)

@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from aftdeck.errors import CommandError, InputError
-from aftdeck.station.server.control_roles import ANSWER_WITHIN, MAX_NAME_LENGTH, ControlRoles
+from aftdeck.station.core.roles import ANSWER_WITHIN, MAX_NAME_LENGTH, ControlRoles
 
 
 class Clock:

@@ -13,10 +13,11 @@ from aftdeck.law_change import Laws
 from aftdeck.recording.reader import Recording
 from aftdeck.recording.records import FrameRecord
 from aftdeck.recording.replay import verify
+from aftdeck.station.core.page_inputs import MAX_WAITING
+from aftdeck.station.core.step import PUNCTUAL, Delay
 from aftdeck.station.messages import from_page
 from aftdeck.station.session.driver import Driver, Phase
-from aftdeck.station.session.pace import MAX_CATCH_UP, PUNCTUAL, Delay
-from aftdeck.station.session.page_inputs import MAX_WAITING
+from aftdeck.station.session.pace import MAX_CATCH_UP
 from aftdeck.station.session.session import Session
 from tests.loaded import scenario
 from tests.station.flying import driven, shown
@@ -56,9 +57,9 @@ def test_commands_from_many_threads_are_all_executed_or_rejected() -> None:
 
         def send_many() -> None:
             for seq in range(2000):
-                session.steer(from_page.Sticks(seq, STILL, STILL, 0.0))
+                session.accept(from_page.Sticks(seq, STILL, STILL, 0.0))
                 try:
-                    session.command(from_page.SelectRate(seq, "vernier"))
+                    session.accept(from_page.SelectRate(seq, "vernier"))
                 except CommandError as error:
                     rejected.add(str(error))
 

@@ -28,17 +28,17 @@ def test_restart_sets_the_scenarios_lighting_again() -> None:
     own = scenario().lighting
     with flying() as session:
         assert shown(session).display.lighting == own
-        session.light(from_page.SetLight(0, NIGHT))
+        session.accept(from_page.SetLight(0, NIGHT))
         step_until(session, lambda frame: frame.display.lighting == NIGHT, "night")
         (line,) = [event.text for event in session.log.since(0) if event.kind == "light"]
         assert "night" in line and "end effector" in line
-        session.command(from_page.Restart(1))
+        session.accept(from_page.Restart(1))
         assert step_until(session, lambda frame: frame.tick == 1, "the first instant again").display.lighting == own
 
 
 def test_lighting_can_be_set_while_the_script_runs() -> None:
     with flying(demo=True) as session:
-        session.light(from_page.SetLight(0, NIGHT))
+        session.accept(from_page.SetLight(0, NIGHT))
         assert step_until(session, lambda frame: frame.display.lighting == NIGHT, "night").by == "script"
 
 
@@ -53,7 +53,7 @@ def test_lighting_can_be_set_while_the_script_runs() -> None:
 def test_unknown_condition_lamp_or_camera_is_rejected(wrong: Lighting, part: str) -> None:
     with flying() as session:
         with pytest.raises(CommandError, match=part):
-            session.light(from_page.SetLight(0, wrong))
+            session.accept(from_page.SetLight(0, wrong))
         assert steps(session, 5).display.lighting == scenario().lighting
 
 
@@ -68,11 +68,11 @@ def test_recording_keeps_changes_of_the_lighting_for_playback(tmp_path: Path) ->
     own = scenario().lighting
     with flying(record=tmp_path) as session:
         steps(session, 20)
-        session.light(from_page.SetLight(0, NIGHT))
+        session.accept(from_page.SetLight(0, NIGHT))
         first = step_until(session, lambda frame: frame.display.lighting == NIGHT, "night").tick
-        session.light(from_page.SetLight(1, NIGHT))
+        session.accept(from_page.SetLight(1, NIGHT))
         steps(session, 300)  # into the recording's next block
-        session.light(from_page.SetLight(2, own))
+        session.accept(from_page.SetLight(2, own))
         last = step_until(session, lambda frame: frame.display.lighting == own, "day").tick
         steps(session, 5)
     (path,) = tmp_path.glob("*.mcap")

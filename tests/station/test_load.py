@@ -12,9 +12,9 @@ from websockets.exceptions import ConnectionClosed
 
 from aftdeck.simulation.frame import Frame as Flown
 from aftdeck.simulation.inputs import Inputs
+from aftdeck.station.core.page_inputs import MAX_WAITING
 from aftdeck.station.messages import from_page
 from aftdeck.station.messages.frame import Frame
-from aftdeck.station.session.page_inputs import MAX_WAITING
 from tests.station.pages import STILL, Page, Station, closing, until
 from tests.waits import WAIT_S
 
@@ -53,7 +53,7 @@ def test_sticks_of_a_fast_screen_are_all_used(shared: Station) -> None:
 def test_stop_is_never_rejected_and_overtakes_waiting_commands(
     station: Station, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    simulation, queue = station.session._sim, station.session._inputs._commands
+    simulation, queue = station.session._sim, station.session.desk._inputs._commands
     step, waits, released = simulation.step, Event(), Event()
 
     def wait(inputs: Inputs | None = None) -> Flown:

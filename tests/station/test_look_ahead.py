@@ -9,8 +9,8 @@ from aftdeck import Inputs, Simulation
 from aftdeck.scenario.load import load_scenario
 from aftdeck.station.conversion.frame_of import Displays
 from aftdeck.station.conversion.welcome_of import welcome_of
+from aftdeck.station.core.core import LOOK_EVERY, LOOK_S
 from aftdeck.station.messages import from_page
-from aftdeck.station.session.session import LOOK_EVERY, LOOK_S
 from tests.station.flying import flying, step_until
 from tests.station.pages import STILL
 
@@ -41,13 +41,13 @@ def test_frames_carry_a_look_ahead_over_the_time_that_a_page_sets() -> None:
     with flying() as session:
         first = step_until(session, lambda frame: frame.display.ahead is not None, "a look-ahead").display.ahead
         assert first is not None and first.seconds == LOOK_S and not first.held and not first.moves
-        session.steer(from_page.Sticks(1, (1.0, 0.0, 0.0), STILL, 0.0))
+        session.accept(from_page.Sticks(1, (1.0, 0.0, 0.0), STILL, 0.0))
         step_until(
             session,
             lambda frame: frame.display.ahead is not None and frame.display.ahead.held and frame.display.ahead.moves,
             "it moves",
         )
-        session.command(from_page.LookAhead(2, 12.0))
+        session.accept(from_page.LookAhead(2, 12.0))
         step_until(
             session, lambda frame: frame.display.ahead is not None and frame.display.ahead.seconds == 12.0, "12 s"
         )
@@ -63,10 +63,10 @@ def test_frames_carry_a_look_ahead_over_the_time_that_a_page_sets() -> None:
 
 def test_restart_resets_the_axis_that_was_used_last() -> None:
     with flying() as session:
-        session.steer(from_page.Sticks(1, (1.0, 0.0, 0.0), STILL, 0.0))
+        session.accept(from_page.Sticks(1, (1.0, 0.0, 0.0), STILL, 0.0))
         step_until(session, lambda frame: frame.display.ahead is not None and frame.display.ahead.held, "it is held")
         session.set_unattended()
-        session.command(from_page.Restart(2))
+        session.accept(from_page.Restart(2))
         step_until(
             session,
             lambda f: f.tick > LOOK_EVERY and f.display.ahead is not None and not f.display.ahead.moves,

@@ -16,12 +16,14 @@ from aftdeck.recording.writer import Recorder
 from aftdeck.report.lamps import NEW_LOSS_S, TIME_LOST
 from aftdeck.simulation.inputs import Inputs
 from aftdeck.simulation.run import Simulation
+from aftdeck.station.core.core import LOSS_LOGGED_EVERY
+from aftdeck.station.core.step import Delay
 from aftdeck.station.messages import from_page
 from aftdeck.station.playback.store import PlaybackStore
 from aftdeck.station.playback.verdict import CHECKING
 from aftdeck.station.session.driver import Driver
-from aftdeck.station.session.pace import MAX_CATCH_UP, Delay, Pace
-from aftdeck.station.session.session import LOSS_LOGGED_EVERY, Session
+from aftdeck.station.session.pace import MAX_CATCH_UP, Pace
+from aftdeck.station.session.session import Session
 from tests.commands import Run
 from tests.loaded import scenario
 from tests.station.flying import flying, shown, steps
@@ -108,7 +110,7 @@ def test_small_delays_are_no_late_steps() -> None:
 
 def give_command(session: Session) -> None:
     """Give a command, after which lost time disturbs an operator."""
-    session.command(from_page.SelectRate(0, "vernier"))
+    session.accept(from_page.SelectRate(0, "vernier"))
     steps(session, 1)
 
 
@@ -149,7 +151,7 @@ def test_lamp_is_lit_from_a_loss_to_the_end_of_the_run() -> None:
         assert level(session) == "caution"
         steps(session, round(NEW_LOSS_S / PERIOD) + 1)
         assert level(session) == "info"
-        session.command(from_page.Restart(0))
+        session.accept(from_page.Restart(0))
         steps(session, 1)
         assert level(session) == "" and session.delays == Delays()
 

@@ -12,9 +12,9 @@ from aftdeck.errors import CommandError
 from aftdeck.scenario.load import load_scenario
 from aftdeck.simulation.camera_drives import CameraDrive
 from aftdeck.station.conversion.welcome_of import welcome_of
+from aftdeck.station.core.commands import check_switch, travel
+from aftdeck.station.core.page_inputs import LOST, MAX_WAITING, STILL, PageInputs
 from aftdeck.station.messages import from_page
-from aftdeck.station.session.commands import check_switch, travel
-from aftdeck.station.session.page_inputs import LOST, MAX_WAITING, STILL, PageInputs
 
 SILENCE = 0.5
 PAN = CameraDrive("A", pan=1.0)
@@ -23,7 +23,7 @@ PAN = CameraDrive("A", pan=1.0)
 @pytest.fixture(autouse=True)
 def limited_silence(monkeypatch: pytest.MonkeyPatch, patient_station: None) -> None:
     """Set the station's time limit, which `patient_station` has removed."""
-    monkeypatch.setattr("aftdeck.station.session.page_inputs.SILENCE", SILENCE)
+    monkeypatch.setattr("aftdeck.station.core.page_inputs.SILENCE", SILENCE)
 
 
 def sticks(seq: int, forward: float) -> from_page.Sticks:

@@ -6,11 +6,12 @@ import socket
 
 import pytest
 
+from aftdeck.station.core import page_inputs
+from aftdeck.station.core.desk import NOT_IN_CONTROL
+from aftdeck.station.core.page_inputs import SILENCE
 from aftdeck.station.messages import from_page, kinds, to_page
 from aftdeck.station.messages.frame import Frame
-from aftdeck.station.server.page import MAX_REJECTIONS, NOT_IN_CONTROL
-from aftdeck.station.session import page_inputs
-from aftdeck.station.session.page_inputs import SILENCE
+from aftdeck.station.server.page import MAX_REJECTIONS
 from tests.station.pages import Station, until
 
 

@@ -10,9 +10,9 @@ import numpy as np
 import pytest
 
 from aftdeck.errors import CommandError
+from aftdeck.station.core.pulses import ANGLE, DISTANCE, MOST
 from aftdeck.station.messages import from_page
 from aftdeck.station.messages.frame import Frame
-from aftdeck.station.session.pulses import ANGLE, DISTANCE, MOST
 from aftdeck.station.session.session import Session
 from aftdeck.tuples import Vec3
 from tests.loaded import scenario
@@ -31,14 +31,14 @@ def along(axis: int, sign: float = 1.0) -> Vec3:
 def pulse(
     session: Session, translation: Vec3 = NONE, rotation: Vec3 = NONE, drive: float = 0.0, orbiter: Vec3 = NONE
 ) -> None:
-    session.command(from_page.Pulse(0, translation, rotation, drive, 0.0, orbiter))
+    session.accept(from_page.Pulse(0, translation, rotation, drive, 0.0, orbiter))
     steps(session, 1)
 
 
 def enter(session: Session, mode: str, rate: str = "vernier", *, hold: bool = False) -> Frame:
-    session.command(from_page.EnterMode(0, mode))
-    session.command(from_page.SelectRate(0, "coarse" if rate == "coarse" else "vernier"))
-    session.command(from_page.PositionHold(0, hold))
+    session.accept(from_page.EnterMode(0, mode))
+    session.accept(from_page.SelectRate(0, "coarse" if rate == "coarse" else "vernier"))
+    session.accept(from_page.PositionHold(0, hold))
     frame = steps(session, 10)
     assert frame.mode == mode
     return frame
@@ -105,11 +105,11 @@ def test_pulse_of_the_orbiter_moves_it_by_its_distance() -> None:
 @pytest.mark.parametrize(
     "end",
     [
-        lambda session: session.command(from_page.Stop(0)),
-        lambda session: session.command(from_page.EnterMode(0, "END EFF")),
+        lambda session: session.accept(from_page.Stop(0)),
+        lambda session: session.accept(from_page.EnterMode(0, "END EFF")),
         lambda session: session.set_unattended(),
-        lambda session: session.hand_over("given"),
-        lambda session: session.command(from_page.Restart(0)),
+        lambda session: session.desk.hand_over("given"),
+        lambda session: session.accept(from_page.Restart(0)),
     ],
     ids=["stop", "mode", "unattended", "hand over", "restart"],
 )
@@ -127,9 +127,9 @@ def test_deflected_stick_ends_pulses_of_other_axes() -> None:
     with flying() as session:
         enter(session, "ORB UNL")
         pulse(session, along(0))
-        session.steer(from_page.Sticks(1, (0.0, 0.5, 0.0), NONE, 0.0))
+        session.accept(from_page.Sticks(1, (0.0, 0.5, 0.0), NONE, 0.0))
         assert steps(session, 1).translation == (0.0, 0.5, 0.0)
-        session.steer(from_page.Sticks(2, NONE, NONE, 0.0))
+        session.accept(from_page.Sticks(2, NONE, NONE, 0.0))
         assert not any(steps(session, 1).translation)
 
 
@@ -153,10 +153,10 @@ def test_pulse_is_refused_where_the_sticks_do_not_act(mode: str) -> None:
 def test_rate_hold_keeps_its_rates_and_refuses_a_pulse() -> None:
     with flying() as session:
         enter(session, "ORB UNL")
-        session.steer(from_page.Sticks(1, (0.5, 0.0, 0.0), NONE, 0.0))
-        session.command(from_page.RateHold(0))
+        session.accept(from_page.Sticks(1, (0.5, 0.0, 0.0), NONE, 0.0))
+        session.accept(from_page.RateHold(0))
         steps(session, 2)
-        session.steer(from_page.Sticks(2, NONE, NONE, 0.0))
+        session.accept(from_page.Sticks(2, NONE, NONE, 0.0))
         pulse(session, along(1))
         assert [event.kind for event in session.log.since(0)][-1] == "refused"
 
@@ -173,7 +173,7 @@ def test_pulses_that_wait_are_limited() -> None:
 @pytest.mark.parametrize("part", [0.5, 2.0, math.nan])
 def test_pulse_of_another_size_is_rejected(part: float) -> None:
     with flying() as session, pytest.raises(CommandError):
-        session.command(from_page.Pulse(0, (part, 0.0, 0.0), NONE, 0.0, 0.0, NONE))
+        session.accept(from_page.Pulse(0, (part, 0.0, 0.0), NONE, 0.0, 0.0, NONE))
 
 
 def test_pulse_through_a_command_delay_has_the_same_distance() -> None:

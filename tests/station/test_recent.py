@@ -8,12 +8,13 @@ from aftdeck.report.lamps import Lamp
 from aftdeck.report.strips import blank, curve_values
 from aftdeck.simulation.inputs import Inputs
 from aftdeck.simulation.run import Simulation
+from aftdeck.station.core import recent
+from aftdeck.station.core.recent import RecentRun
 from aftdeck.station.messages import from_page, kinds, to_page
-from aftdeck.station.session import recent
-from aftdeck.station.session.recent import RecentRun
 from aftdeck.station.session.session import Session
 from tests.loaded import scenario
 from tests.station.pages import served
+from tests.station.stepped import step_of
 
 LIT = Lamp("RATE LIM", "caution", "cause")
 PERIOD = 0.02
@@ -30,7 +31,7 @@ class KeptRun:
     def fly(self, steps: int, *lamps: Lamp, monitors: tuple[tuple[str, ...], ...] = (("A",), ("B",))) -> None:
         for _ in range(steps):
             frame = self.simulation.step(Inputs(translation=(0.5, 0.0, 0.0)))
-            self.recent.add(frame, lamps, None, monitors)
+            self.recent.see(step_of(frame, lamps, monitors))
 
 
 def test_page_receives_all_data_first_and_then_only_new_data() -> None:

@@ -43,16 +43,16 @@ def has_warned(session: Flown) -> bool:
 @pytest.mark.slow
 def test_every_run_has_a_file_that_verifies(tmp_path: Path) -> None:
     with flying(record=tmp_path) as session:
-        session.steer(from_page.Sticks(0, (1.0, 0.0, 0.0), STILL, 0.0))
-        session.command(from_page.SelectRate(1, "vernier"))
+        session.accept(from_page.Sticks(0, (1.0, 0.0, 0.0), STILL, 0.0))
+        session.accept(from_page.SelectRate(1, "vernier"))
         steps(session, 30)
-        session.command(from_page.Restart(2))
+        session.accept(from_page.Restart(2))
         restarted(session)
-        session.command(from_page.EnterMode(3, "SINGLE"))
-        session.command(from_page.SelectJoint(4, 2))
-        session.command(from_page.Stop(5))
+        session.accept(from_page.EnterMode(3, "SINGLE"))
+        session.accept(from_page.SelectJoint(4, 2))
+        session.accept(from_page.Stop(5))
         steps(session, 10)
-        session.command(from_page.Restart(6))
+        session.accept(from_page.Restart(6))
         restarted(session)
         steps(session, 5)
     first, second, third = files(tmp_path)
@@ -68,7 +68,7 @@ def test_every_run_has_a_file_that_verifies(tmp_path: Path) -> None:
 def test_participant_is_in_every_recording_and_in_no_message(tmp_path: Path) -> None:
     trial = Trial("P07", "wrist camera off")
     with flying(record=tmp_path, trial=trial) as session:
-        session.command(from_page.Restart(0))
+        session.accept(from_page.Restart(0))
         restarted(session)
         steps(session)
         sent = (session.welcome, shown(session), session.log.since(0))
@@ -94,7 +94,7 @@ def test_recordings_are_added_to_the_list(tmp_path: Path) -> None:
 def test_demonstration_and_change_to_manual_control_are_recorded(tmp_path: Path) -> None:
     with flying(record=tmp_path, demo=True) as session:
         steps(session)
-        session.steer(from_page.Sticks(0, (0.0, 0.5, 0.0), STILL, 0.0))
+        session.accept(from_page.Sticks(0, (0.0, 0.5, 0.0), STILL, 0.0))
         step_until(session, lambda frame: frame.by == "hand", "manual control")
     (path,) = files(tmp_path)
     assert verify(path).equal
@@ -106,7 +106,7 @@ def test_frames_have_the_length_of_the_recording(tmp_path: Path) -> None:
     with flying(record=tmp_path) as session:
         frame = steps(session)
         assert frame.display.recording_s == pytest.approx(frame.tick * 0.02)
-        session.command(from_page.Restart(0))
+        session.accept(from_page.Restart(0))
         restarted(session)
         frame = steps(session, 1)
         assert frame.display.recording_s == pytest.approx(frame.tick * 0.02)
@@ -120,7 +120,7 @@ def test_frames_without_recording_have_no_recording_length() -> None:
 def test_latency_is_recorded_until_the_page_leaves(tmp_path: Path) -> None:
     with flying(record=tmp_path) as session:
         steps(session, 3)
-        session.shown(from_page.Shown(0, 41.5))
+        session.accept(from_page.Shown(0, 41.5))
         steps(session, 5)
         session.set_unattended()
         steps(session, 5)
@@ -137,11 +137,11 @@ PAD = from_page.ControllerInUse("pad", "Test pad", 0.08, 0.3, ("a1 -X", "b9+b12 
 
 def test_controllers_are_recorded_first_and_when_they_change(tmp_path: Path) -> None:
     with flying(record=tmp_path) as session:
-        session.controllers_in_use(from_page.Controllers(0, (KEYS,)))
+        session.accept(from_page.Controllers(0, (KEYS,)))
         steps(session, 5)
-        session.controllers_in_use(from_page.Controllers(1, (KEYS, PAD)))
+        session.accept(from_page.Controllers(1, (KEYS, PAD)))
         steps(session, 5)
-        session.command(from_page.Restart(2))
+        session.accept(from_page.Restart(2))
         restarted(session)
         steps(session, 5)
         session.set_unattended()
@@ -163,7 +163,7 @@ def test_scripted_run_records_no_controllers(tmp_path: Path) -> None:
 
 def test_measures_name_the_controllers_and_their_settings(tmp_path: Path) -> None:
     with flying(record=tmp_path) as session:
-        session.controllers_in_use(from_page.Controllers(0, (KEYS, PAD)))
+        session.accept(from_page.Controllers(0, (KEYS, PAD)))
         steps(session, 5)
     (path,) = files(tmp_path)
     with PlaybackStore(path) as store:
@@ -221,7 +221,7 @@ def test_restart_does_not_wait_for_the_disk(tmp_path: Path, monkeypatch: pytest.
     monkeypatch.setattr(Sink, "close", stuck)
     with flying(record=tmp_path) as session:
         steps(session)
-        session.command(from_page.Restart(0))
+        session.accept(from_page.Restart(0))
         restarted(session)
         steps(session)
         freed.set()

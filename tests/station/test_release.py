@@ -10,9 +10,9 @@ import pytest
 from aftdeck.simulation.inputs import Inputs
 from aftdeck.simulation.payloads.latch_command import CONFIRM
 from aftdeck.simulation.run import Simulation
+from aftdeck.station.core.release import ReleaseQuestion
 from aftdeck.station.messages import from_page
 from aftdeck.station.messages.kinds import EffectorSwitch
-from aftdeck.station.session.release import ReleaseQuestion
 from aftdeck.station.session.session import Session
 from aftdeck.worksite.conditions import Condition
 from aftdeck.worksite.report import Objective
@@ -24,7 +24,7 @@ PERIOD_S = 0.02
 
 def release(session: Session, switch: EffectorSwitch = "open") -> str:
     """Press RELEASE, and return the position of the end effector's switch after it."""
-    session.command(from_page.SetEffector(0, switch))
+    session.accept(from_page.SetEffector(0, switch))
     return steps(session, 2).work.hand.switch
 
 
@@ -53,7 +53,7 @@ def test_release_asks_again_after_the_time_to_confirm() -> None:
 def test_restart_forgets_the_question() -> None:
     with flying(made=scenario("srms-berth")) as session:
         release(session)
-        session.command(from_page.Restart(0))
+        session.accept(from_page.Restart(0))
         steps(session, 2)
         assert release(session) != "open"
 

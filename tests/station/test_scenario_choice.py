@@ -18,10 +18,10 @@ from aftdeck.scenario.build import BUILT_IN
 from aftdeck.scenario.load import about, built_in, load_scenario, parse_scenario
 from aftdeck.scenario.model import Scenario
 from aftdeck.scenario.schema import Plant, ScenarioGroup
+from aftdeck.station.core.desk import NOT_IN_CONTROL
 from aftdeck.station.messages import from_page, to_page
 from aftdeck.station.messages.frame import Frame
 from aftdeck.station.messages.welcome import Welcome
-from aftdeck.station.server.page import NOT_IN_CONTROL
 from aftdeck.station.server.scenario_list import ScenarioList
 from aftdeck.station.session.session import Session
 from tests.loaded import scenario

@@ -11,9 +11,9 @@ from aftdeck.simulation.inputs import Inputs
 from aftdeck.simulation.run import Simulation
 from aftdeck.station.conversion.frame_of import Displays
 from aftdeck.station.conversion.welcome_of import welcome_of
+from aftdeck.station.core.commands import inputs_of
+from aftdeck.station.core.page_inputs import CENTRED
 from aftdeck.station.messages import from_page
-from aftdeck.station.session.commands import inputs_of
-from aftdeck.station.session.page_inputs import CENTRED
 from tests.loaded import scenario
 from tests.steering.flying import BAY, PAYLOAD
 from tests.steering.flying import scenario as scenario_of_text

@@ -7,9 +7,9 @@ from pathlib import Path
 from aftdeck.recording.index import Index
 from aftdeck.report.metrics.desk import LOST
 from aftdeck.scenario.load import load_scenario
+from aftdeck.station.core.step import Delay
 from aftdeck.station.messages import from_page
 from aftdeck.station.messages.frame import TaskNow
-from aftdeck.station.session.pace import Delay
 from aftdeck.station.session.session import Session
 from tests.loaded import scenario
 from tests.station.flying import flying, shown, step_until, steps
@@ -34,7 +34,7 @@ def task(session: Session) -> TaskNow:
 
 
 def turn(session: Session, to: str) -> None:
-    session.command(from_page.TurnStep(0, "next" if to == "next" else "previous"))
+    session.accept(from_page.TurnStep(0, "next" if to == "next" else "previous"))
     steps(session, 2)
 
 
@@ -57,10 +57,10 @@ def test_page_turns_the_steps_and_the_result_tells_the_skipped_ones() -> None:
 
 def test_camera_on_a_monitor_counts_as_looking_around() -> None:
     with flying(made=scenario("tutorial")) as session:
-        session.shown(from_page.Shown(1, None, (("A",), ("WR",))))
+        session.accept(from_page.Shown(1, None, (("A",), ("WR",))))
         steps(session, 3)
         assert task(session).at == 0, "the page only reports its first cameras"
-        session.shown(from_page.Shown(2, None, (("B",), ("WR",))))
+        session.accept(from_page.Shown(2, None, (("B",), ("WR",))))
         steps(session, 3)
         assert task(session).at == 1
         assert any(event.kind == "task" and event.text.endswith("Look around") for event in session.log.since(0))
@@ -77,7 +77,7 @@ def test_grade_is_in_the_list_of_recordings(tmp_path: Path) -> None:
     file = tmp_path / "one.toml"
     file.write_text(ONE)
     with flying(made=load_scenario(file), record=tmp_path) as session:
-        session.steer(from_page.Sticks(1, (0.0, 0.0, -1.0), (0.0, 0.0, 0.0), 0.0))
+        session.accept(from_page.Sticks(1, (0.0, 0.0, -1.0), (0.0, 0.0, 0.0), 0.0))
         step_until(session, lambda frame: frame.display.task is not None and frame.display.task.at == 1, "the end")
         result = task(session).debrief
     with flying(made=load_scenario(file), record=tmp_path) as session:
@@ -91,7 +91,7 @@ def test_result_counts_the_time_that_was_lost(tmp_path: Path) -> None:
     file = tmp_path / "one.toml"
     file.write_text(ONE)
     with flying(made=load_scenario(file)) as session:
-        session.steer(from_page.Sticks(1, (0.0, 0.0, -1.0), (0.0, 0.0, 0.0), 0.0))
+        session.accept(from_page.Sticks(1, (0.0, 0.0, -1.0), (0.0, 0.0, 0.0), 0.0))
         session.step(Delay(late_s=0.9, lost_s=0.65))
         step_until(session, lambda frame: frame.display.task is not None and frame.display.task.at == 1, "the end")
         result = task(session).debrief

@@ -18,10 +18,10 @@ from aftdeck.simulation.inputs import Inputs
 from aftdeck.simulation.run import Simulation
 from aftdeck.station.conversion.frame_of import Displays
 from aftdeck.station.conversion.welcome_of import welcome_of
+from aftdeck.station.core.commands import inputs_of
+from aftdeck.station.core.page_inputs import CENTRED
 from aftdeck.station.messages import from_page, kinds
 from aftdeck.station.messages.frame import Frame
-from aftdeck.station.session.commands import inputs_of
-from aftdeck.station.session.page_inputs import CENTRED
 from aftdeck.tuples import Vec3
 from tests.loaded import scenario
 from tests.steering.flying import BAY, PAYLOAD

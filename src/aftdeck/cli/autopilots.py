@@ -11,7 +11,7 @@ if TYPE_CHECKING:
     from collections.abc import Callable
 
     from aftdeck.scenario.model import Scenario
-    from aftdeck.station.session.autopilot import Autopilot, Autopilots
+    from aftdeck.station.core.autopilot import Autopilot, Autopilots
 
 
 def policy_flight(
@@ -24,7 +24,7 @@ def policy_flight(
     """
     from aftdeck.gym.flight import pilot_of_policy, scenario_of_policy
     from aftdeck.gym.policy_file import load_policy
-    from aftdeck.station.session.autopilot import Autopilot
+    from aftdeck.station.core.autopilot import Autopilot
 
     policy = load_policy(file)
 
@@ -50,7 +50,7 @@ def operator_flight(kind: str, seed: int | None) -> Autopilots:
     """
     from aftdeck.operators.pilot import pilot
     from aftdeck.operators.spec import spec_of
-    from aftdeck.station.session.autopilot import Autopilot
+    from aftdeck.station.core.autopilot import Autopilot
 
     spec = spec_of(kind)
 

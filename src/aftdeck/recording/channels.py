@@ -2,16 +2,13 @@
 
 from __future__ import annotations
 
-import json
-from collections.abc import Callable
 from typing import Any
 
 import foxglove
 from foxglove import messages as fox
 
 from aftdeck.recording.chain import Declared
-from aftdeck.recording.records import CHANNELS
-from aftdeck.recording.schema import schema
+from aftdeck.recording.declared import OWN
 
 MOVING, FIXED, SCENE = "/tf", "/tf_static", "/scene"
 """Topics of the transforms that change, of those that do not, and of the shapes and colours of the bodies.
@@ -20,14 +17,6 @@ The last two are sent at the start of a run, and again when a viewer subscribes 
 """
 MEASURED, COMMANDED, TIP, LINES = "/joints", "/joints/commanded", "/tip", "/log"
 """Topics of the joint angles and rates, of the tip's pose in L, and of the events, as lines of the log."""
-
-Log = Callable[[str, bytes, int], None]
-"""Function that writes a message: topic, content, and time since 1970 [ns]."""
-
-
-def _own(topic: str, kind: type) -> Declared:
-    own = schema(kind)
-    return Declared(topic, "json", own["title"], "jsonschema", json.dumps(own).encode())
 
 
 def _foxgloves(topic: str, kind: Any) -> Declared:
@@ -46,7 +35,7 @@ VIEWED: dict[str, Any] = {
 }
 """Channels with Foxglove's schemas, each with the type of its messages."""
 DECLARED: dict[str, Declared] = {
-    **{topic: _own(topic, kind) for topic, (kind, _) in CHANNELS.items()},
+    **OWN,
     **{topic: _foxgloves(topic, kind) for topic, kind in VIEWED.items()},
 }
 """Declaration of each channel."""

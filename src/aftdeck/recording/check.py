@@ -84,7 +84,7 @@ class Check:
         self._chain.add(entry.channel, entry.log_time, entry.publish_time, data)
         if isinstance(message, Opening):
             self._began = self._now = entry.log_time
-            if self.strict:
+            if self.strict and message.viewed:
                 self._view = Viewing(self._expect, self._sim.scenario, self._began)
                 self._view.open()
         elif isinstance(message, Input):

@@ -13,7 +13,8 @@ import numpy as np
 from foxglove import messages as fox
 
 from aftdeck.frames import quaternion
-from aftdeck.recording.channels import COMMANDED, FIXED, LINES, MEASURED, MOVING, SCENE, TIP, Log
+from aftdeck.recording.channels import COMMANDED, FIXED, LINES, MEASURED, MOVING, SCENE, TIP
+from aftdeck.recording.declared import Log
 from aftdeck.recording.entities import scene_update
 from aftdeck.recording.live import Live
 from aftdeck.scenario.model import Scenario

@@ -6,45 +6,30 @@ Appending takes constant time. The recorder's thread converts the data to messag
 
 from __future__ import annotations
 
-import hashlib
 import threading
 import time
 from collections import deque
 from collections.abc import Callable
 from pathlib import Path
-from typing import Literal, NamedTuple
+from typing import NamedTuple
 
 import foxglove
-import msgspec
 from foxglove.mcap import MCAPCompression, MCAPWriteOptions
 
 from aftdeck.encodable import encodable
 from aftdeck.errors import RecordingError
 from aftdeck.recording.bundle import opening
-from aftdeck.recording.chain import Chain
 from aftdeck.recording.channels import DECLARED, Channels
-from aftdeck.recording.codec import encode
-from aftdeck.recording.convert import frame_record, input_record, light_record
+from aftdeck.recording.content import Content, Ended, Entry, Recorded
 from aftdeck.recording.delays import Delays
 from aftdeck.recording.index import Index
 from aftdeck.recording.live import Live
-from aftdeck.recording.records import (
-    CHANNELS,
-    PROFILE,
-    Closing,
-    ControllerRecord,
-    ControllersRecord,
-    DelayRecord,
-    LightRecord,
-    Note,
-    Shown,
-)
+from aftdeck.recording.records import PROFILE
 from aftdeck.recording.sink import Sink
 from aftdeck.recording.trial import NO_TRIAL, Trial
 from aftdeck.recording.viewing import Viewing
-from aftdeck.scenario.light import Lighting
 from aftdeck.scenario.model import Scenario
-from aftdeck.simulation.frame import Event, Frame
+from aftdeck.simulation.frame import Frame
 from aftdeck.simulation.inputs import Inputs
 from aftdeck.simulation.summary import Summary
 
@@ -63,25 +48,10 @@ MAX_DISK_WAIT_S = 30.0
 """Longest wait for the disk at the end of a run, and in a run that is faster than real time [s]."""
 _SLOW_DISK = f"the disk was not ready within {MAX_DISK_WAIT_S:g} s"
 
-Ended = Literal["completed", "time", "fault", "stopped", "restarted"]
-
-
-class _Step(NamedTuple):
-    inputs: Inputs | None
-    frame: Frame
-    wall_s: float
-    latency_ms: float | None
-
 
 class _End(NamedTuple):
     ended: Ended
     summary: Summary | None
-
-
-_CHANNEL = {kind: topic for topic, (kind, _) in CHANNELS.items()}
-"""Channel of each type of message."""
-_Ready = ControllersRecord | Shown | LightRecord | DelayRecord
-"""Types of the messages that are queued in their final form and that `Viewing` does not use."""
 
 
 class Recorder:
@@ -133,7 +103,7 @@ class Recorder:
         self._began = time.perf_counter()
         self._began_ns = time.time_ns()
         self._opening = opening(scenario, seed, self._began_ns, trial, real_time=real_time)
-        self._waiting: deque[_Step | Note | _Ready | _End] = deque()
+        self._waiting: deque[Entry | _End] = deque()
         self._wake, self._empty = threading.Event(), threading.Event()
         self.delays: Delays | None = None
         self._live = live
@@ -149,49 +119,16 @@ class Recorder:
 
     def step(self, inputs: Inputs | None, frame: Frame, latency_ms: float | None = None) -> None:
         """Record a step: its inputs and its frame."""
+        self.put(Recorded(inputs, frame, time.perf_counter() - self._began, latency_ms))
+
+    def put(self, entry: Entry) -> None:
+        """Record an entry."""
         if self.failure:
             return
-        self._waiting.append(_Step(inputs, frame, time.perf_counter() - self._began, latency_ms))
-        self.steps += 1
+        self._waiting.append(entry)
+        self.steps += isinstance(entry, Recorded)
         if len(self._waiting) > MAX_WAITING:
             self._fail(f"the disk is too slow: {MAX_WAITING} steps are waiting")
-
-    def delay(self, tick: int, time_s: float, late_s: float, lost_s: float, *, commanded: bool = True) -> None:
-        """Record a step that begins late.
-
-        Args:
-            tick: number of the step.
-            time_s: simulated time at which the step begins [s].
-            late_s: delay of the step [s].
-            lost_s: part of the delay that is not made up [s].
-            commanded: whether an input had been given before.
-        """
-        if not self.failure:
-            wall = round(time.perf_counter() - self._began, 6)
-            self._waiting.append(DelayRecord(tick, time_s, round(late_s, 6), round(lost_s, 6), wall, commanded))
-
-    def note(self, event: Event) -> None:
-        """Record a log line of the station."""
-        if not self.failure:
-            wall = round(time.perf_counter() - self._began, 6)
-            self._waiting.append(Note(event.time_s, event.kind, event.level, event.text, wall))
-
-    def controllers(self, time_s: float, used: tuple[ControllerRecord, ...]) -> None:
-        """Record the devices that move the sticks from `time_s` on."""
-        if not self.failure:
-            wall = round(time.perf_counter() - self._began, 6)
-            self._waiting.append(ControllersRecord(time_s, used, wall))
-
-    def shown(self, time_s: float, monitors: tuple[tuple[str, ...], ...]) -> None:
-        """Record the cameras on the monitors from `time_s` on."""
-        if not self.failure:
-            mon_1, mon_2 = (*monitors, (), ())[:2]
-            self._waiting.append(Shown(time_s, mon_1, mon_2))
-
-    def light(self, time_s: float, lighting: Lighting) -> None:
-        """Record the lighting from `time_s` on."""
-        if not self.failure:
-            self._waiting.append(light_record(time_s, lighting))
 
     def take_turns(self) -> None:
         """Wait until the queue is empty if it has `BATCH` entries; used in runs that are faster than real time.
@@ -268,7 +205,7 @@ class Recorder:
         except (RecordingError, OSError) as error:
             self.unlisted = str(error)
 
-    def _next(self) -> _Step | Note | _Ready | _End | None:
+    def _next(self) -> Entry | _End | None:
         """Return the next entry of the queue; None if there is none within `POLL_S`."""
         if not self._waiting:
             self._empty.set()
@@ -282,53 +219,30 @@ class Recorder:
         file = None
         if self._sink is not None:
             file = foxglove.open_mcap(self._sink, context=channels.context, writer_options=_options())
-        chain = Chain()
-
-        def log(topic: str, data: bytes, time_ns: int) -> None:
-            channels.log(topic, data, time_ns)
-            chain.add(DECLARED[topic], time_ns, time_ns, data)
-
-        log("/opening", encode(self._opening), self._began_ns)
+        content = Content(channels.log, DECLARED, self._opening, self._began_ns)
         if file is not None:
             file.flush()
         self._begun.set()
         due = time.monotonic() + FLUSH_S
-        view = Viewing(log, self._scenario, self._began_ns, self._live)
+        view = Viewing(content.log, self._scenario, self._began_ns, self._live)
         view.open()
-        frames = hashlib.sha256()
-        ticks, time_s, now = 0, 0.0, self._began_ns
-        delays = self.delays = Delays() if self._opening.real_time else None
-        item: _Step | Note | _Ready | _End | None = None
-        while not isinstance(item, _End):
-            item = self._next()
-            if isinstance(item, _Step):
-                frames.update(bytes.fromhex(item.frame.sha256))
-                ticks, time_s = item.frame.tick, item.frame.time_s
-                now = self._began_ns + round(time_s * 1e9)
-                log("/inputs", encode(input_record(ticks, item.inputs)), now)
-                log("/frames", encode(frame_record(item.frame, item.wall_s, item.latency_ms)), now)
-                view.frame(item.frame)
-            elif isinstance(item, Note):
-                log("/notes", encode(item), now)
-                view.line(item, now)
-            elif isinstance(item, _Ready):
-                log(_CHANNEL[type(item)], encode(item), now)
-                if isinstance(item, DelayRecord) and delays is not None:
-                    delays = self.delays = delays.after(item.time_s, item.late_s, item.lost_s, commanded=item.commanded)
+        content.viewer = view
+        self.delays = content.delays
+        while not isinstance(item := self._next(), _End):
+            if item is not None:
+                content.add(item)
+                self.delays = content.delays
             if time.monotonic() >= due:
                 if file is not None:
                     file.flush()
                 due = time.monotonic() + FLUSH_S
             if self.failure or (self._sink is not None and self._sink.error):
-                return "cut", time_s
-        summary = msgspec.json.encode(item.summary).decode() if item.summary else ""
-        closing = Closing(item.ended, ticks, frames.hexdigest(), summary, delays=delays)
-        chain.add(DECLARED["/closing"], now, now, encode(closing))
-        self.chain = chain.head()
-        channels.log("/closing", encode(msgspec.structs.replace(closing, chain=self.chain)), now)
+                return "cut", content.time_s
+        content.close(item.ended, item.summary)
+        self.chain = content.head
         if file is not None:
             file.close()
-        return item.ended, time_s
+        return item.ended, content.time_s
 
 
 def _options() -> MCAPWriteOptions:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
+import msgspec
 import numpy as np
 
 from aftdeck.errors import SimulationError
@@ -11,6 +12,7 @@ from aftdeck.matrices import product
 from aftdeck.scenario.light import LightCondition
 from aftdeck.scenario.model import Scenario
 from aftdeck.simulation.frame import Frame
+from aftdeck.station.messages import from_page
 from aftdeck.station.messages.to_page import Polygons
 from aftdeck.visual.brightness import brightness, grey_levels, luminance
 from aftdeck.visual.scene import Eye, VisualScene
@@ -24,6 +26,11 @@ class Shot(NamedTuple):
 
     camera: str
     eye: Eye | None = None
+
+
+def shot_of(picture: from_page.PolygonPicture) -> Shot:
+    """Return what a picture shows."""
+    return Shot(picture.camera, None if picture.eye is None else Eye(*msgspec.structs.astuple(picture.eye)))
 
 
 class PolygonPictures:

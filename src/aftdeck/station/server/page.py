@@ -9,15 +9,16 @@ from collections import deque
 import msgspec
 from starlette.websockets import WebSocket, WebSocketDisconnect, WebSocketState
 
-from aftdeck.errors import CommandError, InputError
+from aftdeck.errors import CommandError
+from aftdeck.station.conversion.polygons_of import shot_of
+from aftdeck.station.core.commands import check_polygons
+from aftdeck.station.core.news import News
 from aftdeck.station.messages import from_page, kinds, to_page
 from aftdeck.station.server import guard
 from aftdeck.station.server.allowance import Allowance
 from aftdeck.station.server.pages import Pages
 from aftdeck.station.server.terse_log import log
-from aftdeck.station.session.commands import check_polygons, shot_of
 from aftdeck.station.session.driver import Phase
-from aftdeck.station.session.recent import Mark
 
 HELLO_WITHIN = 5.0
 """Time within which a page must send `Hello` [s]."""
@@ -25,8 +26,6 @@ MAX_PAGES = 32
 """Maximum number of pages connected at the same time."""
 TOO_MANY_PAGES = f"{MAX_PAGES} pages are connected, which is the maximum"
 """Reason for closing the connection of a new page while `MAX_PAGES` pages are connected."""
-NOT_IN_CONTROL = "this page observes; only the page in control can send commands"
-"""Reason for rejecting a command of an observer or of a secondary window."""
 MAX_REJECTIONS = 20
 """Number of consecutive rejected messages after which the connection is closed."""
 REJECTIONS_PER_SECOND, REJECTIONS_AT_ONCE = 10.0, 100.0
@@ -55,6 +54,9 @@ _ACCEPTED_DURING_CHANGE = (
 """Messages accepted during a change of the scenario: none of them moves the arm."""
 
 _ABOUT_ROLES = from_page.AskSticks | from_page.SetName | from_page.LeaveSeat | from_page.TakeSeat
+_ABOUT_CONTROL = from_page.AskSticks | from_page.SetName | from_page.GiveSticks | from_page.KeepSticks
+_OF_EVERY_PAGE = from_page.AskSticks | from_page.SetName | from_page.Announce
+"""Messages whose rejection does not count towards `MAX_REJECTIONS`."""
 TOO_OFTEN = f"at most {ROLES_PER_SECOND:g} request for the sticks or new name a second is allowed; wait a moment"
 """Reason for rejecting a message about roles."""
 
@@ -116,7 +118,7 @@ class Page:
 
     def __init__(self, pages: Pages, socket: WebSocket, hello: from_page.Hello, *, may_fly: bool) -> None:
         self.pages, self.socket, self.may_fly = pages, socket, may_fly
-        self.welcomed, self.shows, self.strips = pages.session, hello.shows, hello.strips
+        self.shows, self.strips = hello.shows, hello.strips
         self.seq = -1
         self.rejections = 0
         self.why_closed = ""
@@ -128,7 +130,6 @@ class Page:
         """Send the welcome, then receive and send messages until one side disconnects."""
         if len(self.pages.roles) + len(self.pages.windows) >= MAX_PAGES:
             return await goodbye(self.socket, TOO_MANY_PAGES)
-        await self._send(self.welcomed.welcome)
         self.pages.join(self)
         sender = asyncio.create_task(self._send_changes())
         try:
@@ -180,24 +181,28 @@ class Page:
             return await self.reject(message.seq, TOO_OFTEN, counts=False)
         if isinstance(message, from_page.LeaveSeat | from_page.TakeSeat):
             return self.pages.reseat(self, seated=isinstance(message, from_page.TakeSeat))
-        if isinstance(message, from_page.AskSticks | from_page.SetName) and not self.shows:
-            try:
-                if isinstance(message, from_page.AskSticks):
-                    return self.pages.ask(self)
-                return self.pages.name(self, message.name)
-            except (CommandError, InputError) as error:
-                return await self.reject(message.seq, str(error), counts=False)
         if isinstance(message, from_page.ShowPolygons):
             return await self._show_polygons(message)
-        if isinstance(message, from_page.Announce):
-            return self.pages.session.announce("operator" if self.pages.roles.operator is self else "observer")
-        if self.pages.roles.operator is not self:
-            return await self.reject(message.seq, NOT_IN_CONTROL, counts=False)
+        await self._give(message)
+
+    async def _give(self, message: from_page.FromPage) -> None:
+        """Give a message to the session, and its answers to the pages."""
+        commands = self.pages.roles.operator is self and not isinstance(message, _OF_EVERY_PAGE)
         try:
-            self._execute(message)
+            answers = () if commands and self._is_own(message) else self.pages.session.receive(self, message)
         except CommandError as error:
             return await self.reject(message.seq, str(error))
-        self.rejections = 0
+        if isinstance(message, _ABOUT_CONTROL):
+            self.pages.wake()
+        if isinstance(message, from_page.AskSticks) and not answers:
+            self.pages.asked()
+        for page, answer in answers:
+            if page is self:
+                await self.reject(answer.seq, answer.text, counts=commands)
+            elif isinstance(page, Page):
+                page.answers.append(answer)
+        if commands and not answers:
+            self.rejections = 0
 
     async def _show_polygons(self, message: from_page.ShowPolygons) -> None:
         try:
@@ -206,31 +211,23 @@ class Page:
             return await self.reject(message.seq, str(error))
         self.pages.show_polygons(self, message.pictures)
 
-    def _execute(self, message: from_page.FromPage) -> None:
-        session = self.pages.session
+    def _is_own(self, message: from_page.FromPage) -> bool:
+        """Do a command that concerns the server only, and return True; return False for any other command.
+
+        Raises:
+            CommandError: another scenario is being prepared, or the scenario cannot be chosen.
+        """
         if self.pages.choice.coming is not None and not isinstance(message, _ACCEPTED_DURING_CHANGE):
             if isinstance(message, from_page.Sticks | from_page.DriveCamera):
-                return  # sent before the page learned that a scenario was chosen
+                return True  # sent before the page learned that a scenario was chosen
             raise CommandError("another scenario is being prepared; until it runs, no command can move the arm")
-        match message:
-            case from_page.GiveSticks() | from_page.KeepSticks():
-                self.pages.answer(isinstance(message, from_page.GiveSticks))
-            case from_page.Sticks():
-                session.steer(message)
-            case from_page.Drawn():
-                self.pages.drawn(self)
-            case from_page.Shown():
-                session.shown(message)
-            case from_page.Controllers():
-                session.controllers_in_use(message)
-            case from_page.DriveCamera():
-                session.turn(message)
-            case from_page.SetLight():
-                session.light(message)
-            case from_page.FlyScenario():
-                self.pages.fly(message, self)
-            case _:
-                session.command(message)
+        if isinstance(message, from_page.Drawn):
+            self.pages.drawn(self)
+        elif isinstance(message, from_page.FlyScenario):
+            self.pages.fly(message, self)
+        else:
+            return False
+        return True
 
     async def reject(self, seq: int, text: str, *, counts: bool = True) -> None:
         """Report a rejected message to the page; `counts`: whether the rejection counts towards `MAX_REJECTIONS`."""
@@ -244,46 +241,28 @@ class Page:
     # --- to the page --------------------------------------------------------------------------------------
 
     async def _send_changes(self) -> None:
-        """Send scenarios, role, log and newest frame whenever they change; skip older frames.
-
-        A page that draws strips receives a frame only together with a new sample of the strips.
-        """
-        session = self.welcomed
-        scenarios, role, readiness, lines, sent = None, None, None, 0, b""
-        mark: Mark | None = None
+        """Send everything that is new whenever something changes; skip older frames (`News`)."""
+        scenarios, readiness = None, None
+        news = News(self, may_fly=self.may_fly, strips=self.strips)
         polygons: dict[str, bytes] = {}
         while self.pages.driver.phase is not Phase.CLOSED:
             fresh = self.pages.fresh  # get the event before the data, so that no later change is missed
-            if session is not self.pages.session:
-                session, lines, sent = self.pages.session, 0, b""
-                await self._send(session.welcome)
+            session = self.pages.session
+            for message in news.of(session):
+                await send_text(self.socket, message)
             while self.answers:
                 await self._send(self.answers.popleft())
             if (choice := self.pages.choice.message()) != scenarios:
                 scenarios = choice
                 await self._send(choice)
-            new_role = self.pages.role(self)
-            if new_role != role:
-                role = new_role
-                await self._send(new_role)
             if (state := self.pages.readiness()) != readiness:
                 readiness = state
                 await self._send(state)
-            if events := session.log.since(lines):
-                lines += len(events)
-                await self._send(to_page.Events(events))
-            recent = session.recent.news(mark) if self.strips else None
-            if recent:
-                message, mark = recent
-                await self._send(message)
             for shot in {shot_of(picture) for picture in self.pages.polygons.get(self, ())}:
                 picture = session.painter.drawn.get(shot)
                 if picture is not None and picture is not polygons.get(shot.camera):
                     polygons[shot.camera] = picture
                     await send_text(self.socket, picture)
-            if (frame := session.newest) is not sent and (recent or not self.strips):
-                sent = frame
-                await send_text(self.socket, frame)
             if (driver := self.pages.driver).phase is Phase.FAILED:
                 await goodbye(self.socket, driver.failure)
                 return

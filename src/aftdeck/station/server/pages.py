@@ -13,11 +13,11 @@ from threading import Thread
 from typing import Protocol
 
 from aftdeck.errors import AftdeckError
-from aftdeck.station.conversion.polygons_of import Shot
+from aftdeck.station.conversion.polygons_of import Shot, shot_of
+from aftdeck.station.core.desk import Page
+from aftdeck.station.core.roles import ANSWER_WITHIN, ControlRoles
 from aftdeck.station.messages import from_page, to_page
-from aftdeck.station.server.control_roles import ANSWER_WITHIN, ControlRoles
 from aftdeck.station.server.scenario_list import ScenarioList
-from aftdeck.station.session.commands import shot_of
 from aftdeck.station.session.driver import Driver
 from aftdeck.station.session.session import Session
 
@@ -47,7 +47,6 @@ class Pages:
     Attributes:
         driver: driver of the present session.
         choice: scenarios from which the operator chooses.
-        roles: pages that can take control, and the page in control.
         windows: pages that only show the run.
         fresh: event on which the sender tasks wait; `wake` sets it and replaces it by a new event.
         polygons: for each page, the pictures in the look of 1972 that it shows.
@@ -65,7 +64,6 @@ class Pages:
         self.driver, self._notify = Driver(session, for_page=for_page), notify
         self._drawing: set[Connected] = set()
         self.choice = ScenarioList(session.scenario)
-        self.roles: ControlRoles[Connected] = ControlRoles()
         self.windows: set[Connected] = set()
         self.polygons: dict[Connected, tuple[from_page.PolygonPicture, ...]] = {}
         self.fresh = asyncio.Event()
@@ -76,6 +74,11 @@ class Pages:
     def session(self) -> Session:
         """The present session."""
         return self.driver.session
+
+    @property
+    def roles(self) -> ControlRoles[Page]:
+        """Pages that can take control, and the page in control."""
+        return self.session.desk.roles
 
     def start(self) -> None:
         """Start the session's run; the driver's thread calls `notify` after each step and after a failure."""
@@ -159,23 +162,15 @@ class Pages:
         if page.shows:
             self.windows.add(page)
         else:
-            self.roles.join(page, may_fly=page.may_fly)
+            self.session.join(page, may_fly=page.may_fly)
 
     def leave(self, page: Connected, cause: str = "page gone") -> None:
-        """Remove a page; if it was in control, put the arm into its safe state.
-
-        Args:
-            page: page that leaves.
-            cause: why the page leaves; one of `unattended.CAUSES`.
-        """
+        """Remove a page; if it was in control, the arm is put into its safe state (`Desk.leave`)."""
         self._drawing.discard(page)
         if page.shows:
             self.windows.remove(page)
             return
-        was_operator = page is self.roles.operator
-        self.roles.leave(page)
-        if was_operator:
-            self.session.set_unattended(cause if self.roles.operator is None else f"{cause}, another flies")
+        self.session.leave(page, cause)
 
     def reseat(self, page: Connected, *, seated: bool) -> None:
         """Give a page a control role if `seated` is true (the page is wide enough); otherwise remove this role."""
@@ -184,32 +179,6 @@ class Pages:
         self.leave(page, "page narrow")
         page.shows = not seated
         self.join(page)
-        self.wake()
-
-    def role(self, page: Connected) -> to_page.Role:
-        """Return the message about a page's role and the page in control."""
-        roles = self.roles
-        number, operator, asking = (
-            0 if other is None or other.shows else roles.number(other) for other in (page, roles.operator, roles.asking)
-        )
-        return to_page.Role(
-            flying=page is roles.operator,
-            may_fly=page.may_fly,
-            watchers=max(0, len(roles) - 1),
-            number=number,
-            flier=operator,
-            asking=asking,
-            name=roles.name(page),
-            names=tuple(to_page.NamedPage(*named) for named in roles.named()),
-        )
-
-    def name(self, page: Connected, name: str) -> None:
-        """Set the name of the person at a page.
-
-        Raises:
-            InputError: the name is not valid.
-        """
-        self.roles.give_name(page, name)
         self.wake()
 
     def readiness(self) -> to_page.Readiness:
@@ -223,32 +192,9 @@ class Pages:
             failure=laws.failure,
         )
 
-    def ask(self, page: Connected) -> None:
-        """Request control for a page; when the request expires, wake the sender task of every page.
-
-        Raises:
-            CommandError: the page is in control already, or the request of another page is pending.
-        """
-        self.roles.ask(page)
-        self.wake()
+    def asked(self) -> None:
+        """Wake the sender task of every page when a request for the sticks expires."""
         asyncio.get_running_loop().call_later(ANSWER_WITHIN, self.wake)
-
-    def answer(self, gives: bool) -> None:
-        """Answer the pending request: hand over control if `gives` is true; otherwise reject the request.
-
-        Raises:
-            CommandError: no request is pending, or a stick is not centred.
-        """
-        roles = self.roles
-        asking = roles.pending_request()
-        assert roles.operator is not None, "only the page in control answers"
-        operator = roles.display_name(roles.operator)
-        if gives:
-            self.session.hand_over(f"{operator} gives the sticks to {roles.display_name(asking)}")
-        else:
-            asking.answers.append(to_page.Refused(asking.seq, f"{operator} keeps the sticks"))
-        roles.answer(gives)
-        self.wake()
 
 
 async def _make_in_daemon_thread(make: Callable[[], Session]) -> Session:

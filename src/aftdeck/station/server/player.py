@@ -13,12 +13,13 @@ from starlette.routing import BaseRoute, Mount, Route
 from aftdeck.bodies.cameras import Camera
 from aftdeck.errors import CommandError, RecordingError
 from aftdeck.station.built import STATIC, built_page
+from aftdeck.station.conversion.polygons_of import shot_of
+from aftdeck.station.core.commands import check_pictures
 from aftdeck.station.messages.from_page import MAX_PICTURES, PolygonPicture
 from aftdeck.station.playback.answers import INDEX, LIT, VERDICT, Answers
 from aftdeck.station.playback.lit import decoded
 from aftdeck.station.server.files import PageFiles
 from aftdeck.station.server.replay_painter import ReplayPainter, joined
-from aftdeck.station.session.commands import check_pictures, shot_of
 
 RECORDING_META = '<meta name="recording" content="recording/" />'
 """HTML element that makes the page play a recording; its content is the path of the recording."""

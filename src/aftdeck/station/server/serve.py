@@ -21,12 +21,12 @@ from aftdeck.recording.live import Live
 from aftdeck.recording.trial import NO_TRIAL, Trial
 from aftdeck.scenario.model import Scenario
 from aftdeck.station.built import StationError, built_page
+from aftdeck.station.core.autopilot import Autopilots
 from aftdeck.station.messages.kinds import MAX_MESSAGE_BYTES
 from aftdeck.station.server.access import Access, access_of, shown_host
 from aftdeck.station.server.app import make_app
 from aftdeck.station.server.guard import BACKLOG, MAX_REQUEST, GuardedHttp, GuardedSocket
 from aftdeck.station.server.terse_log import install
-from aftdeck.station.session.autopilot import Autopilots
 from aftdeck.station.session.preparation import Preparation
 from aftdeck.station.session.session import Session
 

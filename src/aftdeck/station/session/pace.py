@@ -3,25 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import NamedTuple
+
+from aftdeck.station.core.step import Delay
 
 MAX_CATCH_UP = 0.25
 """Largest delay that is made up [s]; a larger delay postpones all following steps and is thereby lost."""
-
-
-class Delay(NamedTuple):
-    """Delay of one step.
-
-    Attributes:
-        late_s: time from the moment when the step was due to its beginning [s].
-        lost_s: part of it by which all following steps are postponed [s]: all or nothing.
-    """
-
-    late_s: float = 0.0
-    lost_s: float = 0.0
-
-
-PUNCTUAL = Delay()
 
 
 class Pace:

@@ -13,10 +13,11 @@ from collections.abc import Callable, Mapping
 import msgspec
 
 from aftdeck.law_change import Progress
-from aftdeck.scenario.light import LightCondition
+from aftdeck.scenario.light import LightCondition, conditions
 from aftdeck.scenario.model import Scenario
 from aftdeck.simulation.frame import Frame
 from aftdeck.station.conversion.polygons_of import Shot, no_polygons
+from aftdeck.station.core.step import Step
 from aftdeck.station.session.painting import Painting, Sheet, Wanted
 
 AT_ONCE = 4
@@ -45,6 +46,7 @@ class Painter:
         self.newest: tuple[Frame, LightCondition] | None = None
         self.notify: Callable[[], None] = lambda: None
         self._scenario, self._start = scenario, start
+        self._lights = {condition.name: condition for condition in conditions()}
         self._wanted: Mapping[Shot, float] = {}
         self.failure = ""
         self.text = f"{PREPARING}."
@@ -70,6 +72,10 @@ class Painter:
             self._thread = threading.Thread(target=self._run, name="painter", daemon=True)
             self._thread.start()
         return self._ready.is_set()
+
+    def see(self, step: Step) -> None:
+        """Draw the frame of a step next, in its light."""
+        self.show(step.frame, self._lights[step.lighting.condition])
 
     def show(self, frame: Frame, light: LightCondition) -> None:
         """Draw this frame next, in this light; without a wanted picture, only keep it."""

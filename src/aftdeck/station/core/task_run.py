@@ -9,6 +9,7 @@ from aftdeck.report.run_metrics import RunMetrics
 from aftdeck.scenario.model import Scenario
 from aftdeck.simulation.frame import Frame
 from aftdeck.station.conversion.measures_of import RESULT, measures_of
+from aftdeck.station.core.step import Step
 from aftdeck.station.messages.frame import Debrief
 from aftdeck.task.progress import Progress
 
@@ -22,6 +23,7 @@ class TaskRun:
     """
 
     def __init__(self, scenario: Scenario) -> None:
+        self._scenario = scenario
         self.progress = Progress(scenario)
         self._metrics = RunMetrics(scenario, self.progress)
         self._begin()
@@ -30,7 +32,14 @@ class TaskRun:
         self.debrief: Debrief | None = None
         self._flown_by: str | None = None
 
-    def see(
+    def see(self, step: Step) -> None:
+        """Add a step; note the steps of the task that it completes, and put the task's result into it."""
+        for i in self.add(step.frame, step.lamps, step.autopilot, step.delays):
+            text = f"step {i + 1} of {len(self._scenario.steps)} done: {self._scenario.steps[i].title}"
+            step.note("task", text)
+        step.debrief = self.debrief
+
+    def add(
         self, frame: Frame, lamps: tuple[Lamp, ...], autopilot: str | None = None, delays: Delays | None = None
     ) -> tuple[int, ...]:
         """Add the next frame and its lamps; return the indices of the steps that it completes.

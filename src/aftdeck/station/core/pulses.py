@@ -20,8 +20,8 @@ from aftdeck.scenario.model import Scenario
 from aftdeck.simulation.frame import Frame
 from aftdeck.station.conversion.frame_of import payload_id
 from aftdeck.station.conversion.payload_table import loads
+from aftdeck.station.core.commands import travel
 from aftdeck.station.messages import from_page
-from aftdeck.station.session.commands import travel
 from aftdeck.steering.layout import RATE_UP, SPEED_UP, TURN_UP
 from aftdeck.steering.mode import MODES
 from aftdeck.steering.rules import Key, rules_of

@@ -8,15 +8,14 @@ from pathlib import Path
 
 from aftdeck.errors import RecordingError
 from aftdeck.lines import print_error
+from aftdeck.recording.content import Ended
 from aftdeck.recording.index import Index
 from aftdeck.recording.live import Live
-from aftdeck.recording.records import ControllerRecord
 from aftdeck.recording.trial import NO_TRIAL, Trial
-from aftdeck.recording.writer import Ended, Recorder
-from aftdeck.scenario.light import Lighting
+from aftdeck.recording.writer import Recorder
 from aftdeck.scenario.model import Scenario
-from aftdeck.simulation.frame import Event, Frame
-from aftdeck.simulation.inputs import Inputs
+from aftdeck.station.core.entries import Entries
+from aftdeck.station.core.step import Begun, Step
 
 MAX_FILES_PER_SECOND = 999
 """Maximum number of recordings of one scenario that begin in the same second; a number distinguishes their names."""
@@ -45,7 +44,7 @@ class SessionRecorder:
         self._ending: list[Recorder] = []
         self._new_errors: list[str] = []
         self._reported: set[str] = set()
-        self._period = 0.0
+        self._entries = Entries(0.0)
 
     @property
     def file(self) -> Path | None:
@@ -53,15 +52,15 @@ class SessionRecorder:
         return self._recorder.path if self._recorder and not self._recorder.failure else None
 
     @property
-    def running_s(self) -> float | None:
-        """Simulated time in the present recording [s]; None if the run is not recorded."""
-        return self._recorder.steps * self._period if self._recorder and self.file else None
+    def recorded(self) -> bool:
+        """Whether the present run is recorded into a file."""
+        return self.file is not None
 
-    def begin(self, scenario: Scenario, seed: int) -> None:
-        """Start to record a run; after a failure, `take_errors` returns the reason."""
+    def begin(self, scenario: Scenario, seed: int, now: float) -> None:
+        """Start to record a run at the time `now` [s]; after a failure, `take_errors` returns the reason."""
         if self._folder is None and self._live is None:
             return
-        self._period = scenario.control_period
+        self._entries = Entries(now)
         writing = [recorder for recorder in self._ending if recorder.writing]
         # Collect errors only after this list is made: a recorder that is not in the list has already stored its errors.
         self._collect_errors()
@@ -84,40 +83,14 @@ class SessionRecorder:
             if self._live is not None:
                 self._recorder = Recorder(None, scenario, seed, live=self._live, after=before, real_time=True)
 
-    def step(self, inputs: Inputs | None, frame: Frame, latency_ms: float | None) -> None:
+    def see(self, step: Step) -> None:
         """Record a step of the run."""
-        if self._recorder is not None:
-            self._recorder.step(inputs, frame, latency_ms)
-
-    def delay(self, tick: int, time_s: float, late_s: float, lost_s: float, *, commanded: bool) -> None:
-        """Record a late step (`Recorder.delay`)."""
-        if self._recorder is not None:
-            self._recorder.delay(tick, time_s, late_s, lost_s, commanded=commanded)
-
-    def graded(self, grade: str) -> None:
-        """Note the grade of the operator's task for the list of recordings."""
-        if self._recorder is not None:
-            self._recorder.grade = grade
-
-    def note(self, event: Event) -> None:
-        """Record a log line of the station."""
-        if self._recorder is not None:
-            self._recorder.note(event)
-
-    def controllers(self, time_s: float, used: tuple[ControllerRecord, ...]) -> None:
-        """Record the devices that move the sticks from `time_s` on."""
-        if self._recorder is not None:
-            self._recorder.controllers(time_s, used)
-
-    def shown(self, time_s: float, monitors: tuple[tuple[str, ...], ...]) -> None:
-        """Record the cameras on the monitors from `time_s` on."""
-        if self._recorder is not None:
-            self._recorder.shown(time_s, monitors)
-
-    def light(self, time_s: float, lighting: Lighting) -> None:
-        """Record the lighting from `time_s` on."""
-        if self._recorder is not None:
-            self._recorder.light(time_s, lighting)
+        if self._recorder is None:
+            return
+        for entry in self._entries.of(step):
+            self._recorder.put(entry)
+        if step.debrief is not None:
+            self._recorder.grade = step.debrief.grade or ""
 
     def take_errors(self) -> list[str]:
         """Return the errors since the last call, each as a sentence."""
@@ -132,9 +105,11 @@ class SessionRecorder:
                 if text and text not in self._reported:
                     self._report(text)
 
-    def end(self, ended: Ended) -> None:
-        """End the run; another thread closes its file."""
+    def end(self, ended: Ended, step: Begun | None = None) -> None:
+        """End the run, with the step that ends it; another thread closes its file."""
         if self._recorder is not None:
+            for entry in self._entries.late(step) if step is not None else ():
+                self._recorder.put(entry)
             self._recorder.finish(ended)
             self._ending.append(self._recorder)
             self._recorder = None

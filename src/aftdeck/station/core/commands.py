@@ -16,10 +16,8 @@ from aftdeck.recording.records import ControllerRecord
 from aftdeck.scenario.light import Lighting
 from aftdeck.scenario.target import target_at
 from aftdeck.simulation.inputs import Inputs
-from aftdeck.station.conversion.polygons_of import Shot
 from aftdeck.station.messages import from_page
 from aftdeck.station.messages.welcome import Welcome
-from aftdeck.visual.scene import Eye
 
 MAX_COMPONENT = 1000.0
 """Largest magnitude of a component of a keyed-in position [m]; the arm reaches 16 m."""
@@ -87,11 +85,6 @@ def check_pictures(pictures: Sequence[from_page.PolygonPicture], cameras: Sequen
     for picture in pictures:
         if picture.eye is not None and lengths(np.cross(picture.eye.ahead, picture.eye.up)) < LEAST_SINE:
             raise CommandError("the direction of view and the direction upwards have to differ, and not be zero")
-
-
-def shot_of(picture: from_page.PolygonPicture) -> Shot:
-    """Return what a picture shows."""
-    return Shot(picture.camera, None if picture.eye is None else Eye(*msgspec.structs.astuple(picture.eye)))
 
 
 def check_light(lighting: Lighting, welcome: Welcome) -> None:

@@ -3,16 +3,14 @@
 from __future__ import annotations
 
 from collections import deque
-from collections.abc import Iterable, Sequence
 from itertools import islice
 from threading import Lock
 from typing import NamedTuple
 
-from aftdeck.report.lamps import Lamp
 from aftdeck.report.lanes import Lanes
 from aftdeck.report.strips import blank, curve_values, worst_joint
 from aftdeck.scenario.model import Scenario
-from aftdeck.simulation.frame import Frame
+from aftdeck.station.core.step import Step
 from aftdeck.station.messages import to_page
 
 KEPT_S = 300.0
@@ -51,21 +49,16 @@ class RecentRun:
         self._count = 0
         self._lock = Lock()
 
-    def add(
-        self,
-        frame: Frame,
-        lamps: Iterable[Lamp],
-        latency_ms: float | None,
-        monitors: Sequence[tuple[str, ...]],
-    ) -> None:
-        """Add the next frame and its lit lamps, and the reported latency and cameras on the monitors."""
+    def see(self, step: Step) -> None:
+        """Add a step: its frame and lit lamps, and the reported latency and cameras on the monitors."""
+        frame = step.frame
         with self._lock:
-            self._lanes.shown((*monitors, (), ())[:2])
-            self._lanes.add(frame, lamps)
+            self._lanes.shown((*step.asked.monitors, (), ())[:2])
+            self._lanes.add(frame, step.lamps)
             if (frame.tick - 1) % self._every:
                 return
             self._lanes.forget(frame.tick - self._ticks_kept)
-            values = self._values(frame, latency_ms)
+            values = self._values(frame, step.asked.latency_ms)
             rounded = tuple([None if value is None else round(value, DECIMALS) for value in values])
             self._samples.append(to_page.Sample(frame.time_s, rounded, worst_joint(frame, self._scenario)))
             self._count += 1

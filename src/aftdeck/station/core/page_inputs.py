@@ -12,8 +12,8 @@ import msgspec
 
 from aftdeck.errors import CommandError
 from aftdeck.simulation.camera_drives import CameraDrive
+from aftdeck.station.core.commands import travel
 from aftdeck.station.messages import from_page
-from aftdeck.station.session.commands import travel
 
 LOST = 2.0
 """Longest pause between messages after which deflected sticks act at once [s]. After a longer pause, the operator must

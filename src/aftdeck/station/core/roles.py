@@ -7,7 +7,6 @@ page in control can also give the sticks to a page that asks for them. A page th
 from __future__ import annotations
 
 import re
-import time
 from collections import Counter
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -31,7 +30,7 @@ class ControlRequest(Generic[P]):
 
     page: P
     until: float
-    """Time at which the request expires [s], on the clock of `time.monotonic`."""
+    """Time at which the request expires [s], on the host's clock."""
 
 
 class ControlRoles(Generic[P]):
@@ -41,7 +40,8 @@ class ControlRoles(Generic[P]):
         operator: the page in control; None if no page is in control.
     """
 
-    def __init__(self, clock: Callable[[], float] = time.monotonic) -> None:
+    def __init__(self, clock: Callable[[], float]) -> None:
+        """Begin without a page; `clock` returns the time [s]."""
         self.operator: P | None = None
         self._numbers: dict[P, int] = {}
         self._names: dict[P, str] = {}
@@ -51,6 +51,9 @@ class ControlRoles(Generic[P]):
 
     def __len__(self) -> int:
         return len(self._numbers)
+
+    def __contains__(self, page: P) -> bool:
+        return page in self._numbers
 
     def number(self, page: P) -> int:
         """Return the number of a page: the lowest number that was free when the page joined."""

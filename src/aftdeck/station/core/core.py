@@ -1,0 +1,360 @@
+"""Core of a session: one scenario's runs, flown by what its pages ask for.
+
+The core has no thread, clock, file, socket or process. A host steps it, gives it the time, brings it the messages of
+the pages, and sends them what is new: a server with threads and WebSockets (`session.session`), or the caller itself
+(`direct`).
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Sequence
+from typing import Protocol
+
+import msgspec
+
+from aftdeck.law import is_plain
+from aftdeck.recording.content import Ended
+from aftdeck.recording.delays import Delays
+from aftdeck.report.lamps import StandingLamps, lit_lamps
+from aftdeck.report.metrics.announcements import ANNOUNCED
+from aftdeck.scenario.model import Scenario
+from aftdeck.simulation.frame import Event, Frame, Level
+from aftdeck.simulation.inputs import Inputs
+from aftdeck.simulation.observe.look_ahead import Axis
+from aftdeck.simulation.run import Simulation
+from aftdeck.station.conversion.frame_of import Displays
+from aftdeck.station.conversion.welcome_of import welcome_of
+from aftdeck.station.core.asked import Asked
+from aftdeck.station.core.autopilot import SCRIPT, Autopilots, Engaged
+from aftdeck.station.core.commands import inputs_of, travel
+from aftdeck.station.core.desk import Answer, Desk, Page
+from aftdeck.station.core.light import Lights
+from aftdeck.station.core.log import Log
+from aftdeck.station.core.page_inputs import SILENCE, Taken
+from aftdeck.station.core.pulses import Pulses
+from aftdeck.station.core.recent import RecentRun
+from aftdeck.station.core.release import ReleaseQuestion
+from aftdeck.station.core.roles import ControlRoles
+from aftdeck.station.core.step import PUNCTUAL, Begun, Delay, Observer, Step
+from aftdeck.station.core.task_run import TaskRun
+from aftdeck.station.core.unattended import safe_inputs
+from aftdeck.station.messages import from_page
+from aftdeck.station.messages.frame import Ahead, TaskPair
+
+LOOK_EVERY = 10
+"""Steps from one look-ahead to the next, and from one search for the task's pair to the next."""
+LOOK_S = 5.0
+"""Time span of the look-ahead at the start of a session [s]; a page can set another one."""
+MOVED = 1e-3
+"""Stick deflection above which the operator takes control from the script or another autopilot."""
+LOSS_LOGGED_EVERY = 60.0
+"""Least time from one log line about lost time to the next [s]."""
+QUIET_S = 1.0
+"""Time after the announcement of a clearance problem in which others are ignored [s]."""
+
+_encoder = msgspec.json.Encoder()
+
+
+class Recording(Observer, Protocol):
+    """Recording of a session's runs, by its host."""
+
+    def begin(self, scenario: Scenario, seed: int, now: float) -> None:
+        """Begin a run at the time `now` [s], on the host's clock."""
+
+    def end(self, ended: Ended, step: Begun | None = None) -> None:
+        """End a run; `step`: the step that ends it before its motion."""
+
+    @property
+    def recorded(self) -> bool:
+        """Whether the present run is recorded."""
+
+
+class Core:
+    """Session of one scenario: its simulation, what its pages ask for, its log and its observers.
+
+    Attributes:
+        scenario: the scenario that is run.
+        welcome: first message to a new page.
+        desk: what the pages ask for.
+        recent: the last minutes of the present run.
+        log: events of all runs of the session.
+        delays: delays of the control steps of the present run.
+        newest: newest frame, encoded as JSON; empty before the first step.
+        observers: further observers, which see each step last.
+        ended: called at the end of each run, before another begins.
+    """
+
+    def __init__(
+        self,
+        scenario: Scenario,
+        seed: int | None = None,
+        *,
+        clock: Callable[[], float],
+        recording: Recording | None = None,
+        observers: Sequence[Observer] = (),
+        demo: bool = False,
+        shown: bool = False,
+        autopilots: Autopilots | None = None,
+        roles: ControlRoles[Page] | None = None,
+    ) -> None:
+        """Prepare a run.
+
+        Args:
+            scenario: the scenario to run.
+            seed: random seed; None selects the scenario's seed.
+            clock: returns the host's time [s].
+            recording: records the runs; None: they are not recorded.
+            observers: further observers.
+            demo: whether the script runs until the operator moves a stick or sends a command; also after a restart.
+            shown: whether the script runs in this way in the first run.
+            autopilots: returns the autopilot that flies a scenario in this way, if the script does not; None: none.
+            roles: control roles of the pages; None: of no page yet.
+        """
+        self.scenario, self.observers = scenario, tuple(observers)
+        self._seed, self._clock, self._recording = seed, clock, recording
+        self._first = SCRIPT if demo else autopilots(scenario) if autopilots else None
+        self._displays = Displays(scenario)
+        self.welcome = welcome_of(scenario, demo=demo or shown)
+        self.desk: Desk = Desk(
+            self.welcome, scenario.delay, scenario.lighting, clock, ControlRoles(clock) if roles is None else roles
+        )
+        self.log = Log()
+        self.newest = b""
+        self.ended: Callable[[], None] = lambda: None
+        self._look_s = LOOK_S
+        self._cancelled_until = 0.0
+        self._waiting: list[Event] = []
+        self._engaged: Engaged | None = None
+        self._reset()
+        if shown:
+            self._engaged = Engaged(SCRIPT)
+        self.desk.autopilot = None if self._engaged is None else self._engaged.name
+
+    def _reset(self) -> None:
+        """Create the simulation of a new run, and delete all data of the previous run."""
+        self._sim = Simulation(self.scenario, self._seed)
+        self.recent = RecentRun(self.scenario)
+        self.delays = Delays()
+        self._task = TaskRun(self.scenario)
+        self._lights = Lights()
+        self._release = ReleaseQuestion()
+        self._pulses = Pulses(self.scenario)
+        self._standing = StandingLamps()
+        self._lost_logged = 0.0
+        self._commanded = False
+        self._log_loss_from = -math.inf
+        self._quiet_until_s = 0.0
+        self._engaged = None if self._first is None else Engaged(self._first)
+        self._ahead: Ahead | None = None
+        self._pair: TaskPair | None = None
+        self._axis: Axis | None = None
+        self._monitors_before: tuple[tuple[str, ...], ...] = ()
+
+    @property
+    def time_s(self) -> float:
+        """Simulated time of the newest step [s]; 0 before the first one."""
+        return self._sim.frame.time_s if self._sim.frame else 0.0
+
+    def begin(self) -> None:
+        """Begin to record the run. Call this once, before the first step."""
+        if self._recording is not None:
+            self._recording.begin(self.scenario, self._sim.seed, self._clock())
+
+    def close(self) -> None:
+        """End the run."""
+        if self._recording is not None:
+            self._recording.end("stopped")
+        self.ended()
+
+    def note(self, kind: str, text: str, level: Level = "info") -> None:
+        """Log and record a line of the host's, with the next step."""
+        self._waiting.append(Event(self.time_s, kind, level, text))
+
+    def receive(self, page: Page, message: from_page.FromPage) -> tuple[Answer, ...]:
+        """Take a message of a page, and return the answers to it."""
+        return self.desk.receive(page, message)
+
+    def take(self) -> Asked:
+        """Return what the pages ask for in the next step."""
+        return self.desk.take(rate_held=self._rate_held(self._clock()))
+
+    def advance(self, asked: Asked, delay: Delay = PUNCTUAL) -> Step:
+        """Do one control step, and return it with what is new.
+
+        Args:
+            asked: what the pages ask for.
+            delay: delay with which the step begins.
+        """
+        begun, taken = self._begun(asked, delay), asked.page
+        cause = taken.cause
+        if isinstance(taken.command, from_page.Restart):
+            begun = self._restart(begun)
+        elif isinstance(taken.command, from_page.HandsOff):
+            cause = cause or taken.command.cause
+        command = self._for_simulation(begun, taken.command)
+        inputs, flown = self._inputs(begun, taken, cause, command)
+        frame = self._sim.step(inputs)
+        step = Step(
+            *msgspec.structs.astuple(begun),
+            inputs=inputs,
+            frame=frame,
+            lamps=self._standing.marked(lit_lamps(self.scenario, frame, self.delays)),
+            autopilot=self.desk.autopilot,
+        )
+        self._tell(step)
+        self._look(frame)
+        self._task.see(step)
+        step.shown = self._displays.frame(
+            frame,
+            taken.sticks.seq,
+            frame.time_s if self._recording is not None and self._recording.recorded else None,
+            self._ahead,
+            step.lighting,
+            pair=self._pair,
+            flown_seq=flown,
+            lamps=step.lamps,
+            progress=self._task.progress,
+            debrief=step.debrief,
+            autopilot=step.autopilot,
+        )
+        step.encoded = self.newest = _encoder.encode(step.shown)
+        for observer in (self._recording, self.recent, self.log, *self.observers):
+            if observer is not None:
+                observer.see(step)
+        return step
+
+    def _begun(self, asked: Asked, delay: Delay) -> Begun:
+        """Return the step that begins; count its delay, and log lost time, at most every `LOSS_LOGGED_EVERY`."""
+        time_s, frame = self.time_s, self._sim.frame
+        late = delay if delay.late_s > self.scenario.control_period else None
+        if late is not None:
+            self.delays = self.delays.after(time_s, *late, commanded=self._commanded)
+        notes, self._waiting = self._waiting, []
+        tick = frame.tick + 1 if frame else 1
+        step = Begun(tick, self._clock(), time_s, asked, late, self.delays, self._commanded, notes)
+        if not self._commanded:
+            self._lost_logged = self.delays.lost_s
+        if self.delays.lost_s > self._lost_logged and time_s >= self._log_loss_from:
+            lost, self._lost_logged = self.delays.lost_s - self._lost_logged, self.delays.lost_s
+            self._log_loss_from = time_s + LOSS_LOGGED_EVERY
+            text = f"the computer was too slow: {lost:.2f} s lost ({self.delays.lost_s:.2f} s in this run)"
+            step.note("time lost", text, "caution")
+        return step
+
+    def _restart(self, step: Begun) -> Begun:
+        """Finish the run and its recording, restart the scenario, and return the first step of the new run."""
+        if self._recording is not None:
+            self._recording.end("restarted", step)
+        self.log.add(step.notes)
+        self.ended()
+        self._reset()
+        self.begin()
+        first = Begun(1, step.now, 0.0, step.asked, None, self.delays, False, [], restarted=True)
+        first.note("restart", f"{self.scenario.title}: restarted")
+        return first
+
+    def _inputs(
+        self, step: Begun, taken: Taken, cause: str, command: from_page.FromPage | None
+    ) -> tuple[Inputs | None, int]:
+        """Return the inputs of the operator or the autopilot, and the number of the stick message that acts."""
+        if cause or taken.handed_over:
+            self._pulses.clear()  # the page no longer has the sticks
+        sticks = self._pulses.deflected(taken.sticks, self._sim.frame)
+        moved = any(abs(s) > MOVED for s in travel(sticks))
+        if self._engaged is not None and (moved or command is not None or not self._engaged.fly(self._sim)):
+            why = self._engaged.fault
+            text = f"manual control: the {self._engaged.name} has stopped" + (f": {why}" if why else "")
+            step.note("hand", text, "caution" if why else "info")
+            self._engaged = None
+        self._commanded |= moved or command is not None
+        if taken.handed_over:
+            step.note("hand-over", taken.handed_over)
+        self.desk.autopilot = None if self._engaged is None else self._engaged.name
+        if self._engaged is not None:
+            return self._engaged.inputs, -1
+        inputs, flown = inputs_of(sticks, command, self.scenario.arm), taken.flown()
+        if cause:
+            inputs = self._make_safe(step, inputs, cause)
+        if taken.camera.pan or taken.camera.tilt or taken.camera.zoom:
+            inputs = msgspec.structs.replace(inputs, camera=taken.camera)
+        return inputs, flown
+
+    def _tell(self, step: Step) -> None:
+        """Note changes of the light, and announced clearance problems; tell the task that the operator looks."""
+        asked, frame = step.asked, step.frame
+        if text := self._lights.change(step.lighting):
+            step.note("light", text)
+        if asked.announced and frame.time_s >= self._quiet_until_s:
+            self._quiet_until_s = frame.time_s + QUIET_S
+            near = frame.work.nearest
+            where = "" if near is None else f": {near.a} to {near.b} {near.clearance:.2f} m"
+            step.note(ANNOUNCED, f"clearance problem announced by the {asked.announced}{where}")
+        if self._monitors_before and asked.monitors and asked.monitors != self._monitors_before:
+            self._task.progress.look()
+        self._monitors_before = asked.monitors
+
+    def _look(self, frame: Frame) -> None:
+        """Compute the look-ahead and the task's pair, in different steps, when they are due.
+
+        As plain Python, each takes several control periods: then there are none.
+        """
+        if is_plain():
+            self._ahead, self._pair = None, None
+        elif frame.tick % LOOK_EVERY == 1:
+            self._axis = _deflected(frame) or self._axis
+            self._ahead = self._displays.ahead(self._sim.ahead(self._look_s, self._axis), frame)
+        elif frame.tick % LOOK_EVERY == 1 + LOOK_EVERY // 2:
+            self._pair = self._displays.pair(self._sim.watched, frame, self._task.progress)
+
+    def _for_simulation(self, step: Begun, command: from_page.FromPage | None) -> from_page.FromPage | None:
+        """Do a command that concerns the session only; return any other command, unless it must be confirmed."""
+        if question := self._release.question(command, self._sim.frame, self._task.progress.present):
+            step.note("release", question, "caution")
+            return None
+        match command:
+            case from_page.Pulse():
+                if reason := self._pulses.press(command, self._sim.frame):
+                    step.note("refused", reason, "caution")
+            case from_page.Stop() | from_page.EnterMode():
+                self._pulses.clear()
+                return command
+            case from_page.LookAhead(seconds=seconds):
+                self._look_s = seconds
+            case from_page.TurnStep(to="next"):
+                self._task.progress.skip()
+            case from_page.TurnStep():
+                self._task.progress.back()
+            case from_page.Restart() | from_page.HandsOff():
+                pass
+            case _:
+                return command
+        return None
+
+    def _rate_held(self, now: float) -> bool:
+        """Return whether RATE HOLD keeps a rate.
+
+        After the station has cancelled RATE HOLD, frames still show RATE HOLD as on during the command delay. During
+        this delay, and for `SILENCE` after it, the result is False.
+        """
+        frame = self._sim.frame
+        return self._engaged is None and frame is not None and frame.rate_hold and now >= self._cancelled_until
+
+    def _make_safe(self, step: Begun, inputs: Inputs, cause: str) -> Inputs:
+        """Return inputs that put the arm into a safe state, and log the cause."""
+        frame = self._sim.frame
+        inputs, text = safe_inputs(inputs, frame, cause, cancelling=step.now < self._cancelled_until)
+        if inputs.rate_hold and frame is not None and frame.rate_hold:
+            self._cancelled_until = step.now + self.scenario.delay * self.scenario.control_period + SILENCE
+        if text:
+            step.note("hands off", text, "caution")
+        return inputs
+
+
+def _deflected(frame: Frame) -> Axis | None:
+    """Return the index of the axis with the largest deflection, and its sign; None if the sticks are centred."""
+    axes = (*frame.rotation, *frame.translation, frame.drive)
+    largest = max(range(len(axes)), key=lambda k: abs(axes[k]))
+    if axes[largest] == 0.0:
+        return None
+    return largest, 1 if axes[largest] > 0.0 else -1
