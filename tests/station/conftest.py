@@ -11,6 +11,7 @@ from aftdeck.station.core import page_inputs
 from aftdeck.station.server import guard, page
 from aftdeck.station.session.session import Session
 from tests.loaded import scenario
+from tests.station.direct_pages import DirectStation
 from tests.station.pages import Station, served
 
 
@@ -36,3 +37,9 @@ def shared() -> Iterator[Station]:
     """Station shared by all tests that do not move the arm."""
     with served(Session(scenario())) as station:
         yield station
+
+
+@pytest.fixture
+def direct() -> DirectStation:
+    """Station without a server, for tests that need no socket."""
+    return DirectStation()

@@ -11,6 +11,7 @@ from aftdeck.station.messages import from_page, kinds, to_page
 from aftdeck.station.messages.frame import Frame
 from aftdeck.station.server import page as station_page
 from aftdeck.station.server.page import MAX_PAGES, MAX_REJECTIONS, TOO_MANY_PAGES
+from tests.station.direct_pages import DirectStation
 from tests.station.pages import STILL, Page, Station, closing, text_of
 
 
@@ -155,18 +156,18 @@ REFUSED = {
 
 @pytest.mark.parametrize(("message", "parts"), [(m, parts) for m, *parts in REFUSED.values()], ids=REFUSED)
 def test_rejected_command_names_what_was_given_and_what_is_allowed(
-    shared: Station, message: from_page.FromPage, parts: list[str]
+    direct: DirectStation, message: from_page.FromPage, parts: list[str]
 ) -> None:
-    with shared.page() as page:
+    with direct.page() as page:
         page.send(message)
         refused = page.wait_for(to_page.Refused)
         assert refused.seq == 0
         assert all(part in refused.text for part in parts), refused.text
-    shared.check_running()
 
 
-def test_commands_that_the_simulation_rejects_are_logged(shared: Station) -> None:
-    with shared.page() as page:
+def test_commands_that_the_simulation_rejects_are_logged(direct: DirectStation) -> None:
+    direct.host.step()
+    with direct.page() as page:
         page.send(from_page.SetTarget(page.next_seq(), (-50.0, 0.0, 0.0), STILL))
         page.send(from_page.Proceed(page.next_seq()))
         texts: list[str] = []
@@ -175,7 +176,6 @@ def test_commands_that_the_simulation_rejects_are_logged(shared: Station) -> Non
             texts += [event.text for event in events if event.kind in ("check", "refused")]
         assert texts[0].startswith("CMD CK FAIL")
         assert texts[1].startswith("PROCEED") and "ORB UNL" in texts[1]
-    shared.check_running()
 
 
 def test_message_out_of_order_is_not_executed(station: Station) -> None:

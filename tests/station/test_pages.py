@@ -12,10 +12,11 @@ from aftdeck.station.core.page_inputs import SILENCE
 from aftdeck.station.messages import from_page, kinds, to_page
 from aftdeck.station.messages.frame import Frame
 from aftdeck.station.server.page import MAX_REJECTIONS
-from tests.station.pages import Station, until
+from tests.station.direct_pages import DirectStation
+from tests.station.pages import Station
 
 
-def hand_overs(station: Station) -> list[str]:
+def hand_overs(station: DirectStation) -> list[str]:
     """Return the log lines about handovers of control."""
     return [event.text for event in station.session.log.since(0) if event.kind == "hand-over"]
 
@@ -67,8 +68,8 @@ def test_next_page_gets_centred_sticks_when_the_operator_disconnects(station: St
         assert second.wait_for(Frame, lambda frame: frame.display.stick_seq == seq).rotation == (0.0, 0.0, 0.5)
 
 
-def test_sticks_of_a_silent_page_go_to_zero(station: Station, monkeypatch: pytest.MonkeyPatch) -> None:
-    with station.page() as page:
+def test_sticks_of_a_silent_page_go_to_zero(direct: DirectStation, monkeypatch: pytest.MonkeyPatch) -> None:
+    with direct.page() as page:
         seq = page.push(translation=(1.0, 0.0, 0.0))
         page.wait_for(Frame, lambda frame: frame.translation[0] == 1.0)
         monkeypatch.setattr(page_inputs, "SILENCE", SILENCE)
@@ -83,8 +84,8 @@ def test_observer_cannot_send_commands(shared: Station) -> None:
     shared.check_running()
 
 
-def test_control_goes_to_the_page_that_asks_with_centred_sticks(station: Station) -> None:
-    with station.page() as operator, station.page() as other:
+def test_control_goes_to_the_page_that_asks_with_centred_sticks(direct: DirectStation) -> None:
+    with direct.page() as operator, direct.page() as other:
         operator.wait_for(to_page.Role, lambda role: role.flying and role.watchers == 1)
         assert other.wait_for(to_page.Role).flier == 1
         other.send(from_page.AskSticks(other.next_seq()))
@@ -99,13 +100,14 @@ def test_control_goes_to_the_page_that_asks_with_centred_sticks(station: Station
         assert not operator.wait_for(to_page.Role, lambda role: role.flier == 2).flying
         operator.push(translation=(1.0, 0.0, 0.0))
         assert operator.rejection() == NOT_IN_CONTROL
-        assert other.flown(other.push(rotation=(0.0, 0.0, 0.5))).rotation == (0.0, 0.0, 0.5)
-    (line,) = hand_overs(station)
+        other.push(rotation=(0.0, 0.0, 0.5))
+        other.wait_for(Frame, lambda frame: frame.rotation == (0.0, 0.0, 0.5))
+    (line,) = hand_overs(direct)
     assert "page 1" in line and "page 2" in line
 
 
-def test_operator_keeps_control_when_the_request_is_declined(station: Station) -> None:
-    with station.page() as operator, station.page() as other:
+def test_operator_keeps_control_when_the_request_is_declined(direct: DirectStation) -> None:
+    with direct.page() as operator, direct.page() as other:
         operator.send(from_page.AskSticks(operator.next_seq()))
         assert operator.wait_for(to_page.Refused).seq == operator.seq
         operator.send(from_page.GiveSticks(operator.next_seq()))
@@ -117,8 +119,8 @@ def test_operator_keeps_control_when_the_request_is_declined(station: Station) -
         assert operator.wait_for(to_page.Role, lambda role: role.asking == 0).flying
 
 
-def test_name_goes_to_every_page_and_into_the_log(station: Station) -> None:
-    with station.page() as operator, station.page() as other:
+def test_name_goes_to_every_page_and_into_the_log(direct: DirectStation) -> None:
+    with direct.page() as operator, direct.page() as other:
         operator.send(from_page.SetName(operator.next_seq(), "Anna"))
         anna = to_page.NamedPage(1, "Anna")
         assert other.wait_for(to_page.Role, lambda role: role.names == (anna,)).name == ""
@@ -129,14 +131,15 @@ def test_name_goes_to_every_page_and_into_the_log(station: Station) -> None:
         operator.wait_for(to_page.Role, lambda role: role.asking == 2)
         operator.send(from_page.KeepSticks(operator.next_seq()))
         assert "Anna" in other.rejection()
+        operator.wait_for(to_page.Role, lambda role: role.asking == 0)
         other.send(from_page.AskSticks(other.next_seq()))
         operator.wait_for(to_page.Role, lambda role: role.asking == 2)
         operator.send(from_page.GiveSticks(operator.next_seq()))
         other.wait_for(to_page.Role, lambda role: role.flying)
         other.send(from_page.SetName(other.next_seq(), ""))
         assert operator.wait_for(to_page.Role, lambda role: len(role.names) == 1).names == (anna,)
-    until(lambda: bool(hand_overs(station)), "the line of the log")
-    (line,) = hand_overs(station)
+    direct.host.step()
+    (line,) = hand_overs(direct)
     assert line.startswith("Anna ") and line.endswith(" Ben")
 
 
@@ -150,8 +153,8 @@ def test_name_goes_to_every_page_and_into_the_log(station: Station) -> None:
         ("\u202eannA", "got '\\u202eannA'"),
     ],
 )
-def test_invalid_name_is_rejected_and_not_corrected(station: Station, name: str, part: str) -> None:
-    with station.page() as page:
+def test_invalid_name_is_rejected_and_not_corrected(direct: DirectStation, name: str, part: str) -> None:
+    with direct.page() as page:
         page.send(from_page.SetName(page.next_seq(), "Anna"))
         page.wait_for(to_page.Role, lambda role: role.name == "Anna")
         page.send(from_page.SetName(page.next_seq(), name))
@@ -159,7 +162,7 @@ def test_invalid_name_is_rejected_and_not_corrected(station: Station, name: str,
         assert refused.seq == page.seq and part in refused.text
         page.send(from_page.AskSticks(page.next_seq()))
         page.wait_for(to_page.Refused)
-        with station.page() as other:
+        with direct.page() as other:
             assert other.wait_for(to_page.Role, lambda role: role.number == 2).names == (to_page.NamedPage(1, "Anna"),)
 
 
