@@ -50,6 +50,7 @@ NAMES = {
     "start": Benchmark(STATION, "benchmarks.station", "start"),
     "newcomer": Benchmark(STATION, "benchmarks.newcomer", "newcomer", by_default=False, limit_s=1500.0),
     "latency": Benchmark(STATION, "benchmarks.station", "latency"),
+    "session": Benchmark(STATION, "benchmarks.session", "session", by_default=False),
     "loaded": Benchmark(STATION, "benchmarks.loaded", "loaded"),
     "attacked": Benchmark(STATION, "benchmarks.attacked", "attacked", by_default=False),
     "page": Benchmark(STATION, "benchmarks.page", "page"),

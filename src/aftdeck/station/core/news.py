@@ -37,14 +37,26 @@ class News:
         self._core, self._lines, self._sent = core, 0, b""
 
     def of(self, core: Core) -> Iterator[bytes]:
-        """Yield what is new, each message encoded as JSON; with another core than before, its welcome first."""
+        """Yield what is new, each message encoded as JSON."""
+        yield from self.welcome(core)
+        yield from self.role(core)
+        yield from self.run(core)
+
+    def welcome(self, core: Core) -> Iterator[bytes]:
+        """Yield the welcome, if the page has not received that of this core."""
         if core is not self._core:
             self._begin(core)
             yield _encode(core.welcome)
+
+    def role(self, core: Core) -> Iterator[bytes]:
+        """Yield the page's role, if it is new."""
         role = core.desk.role(self._page, may_fly=self._may_fly)
         if role != self._role:
             self._role = role
             yield _encode(role)
+
+    def run(self, core: Core) -> Iterator[bytes]:
+        """Yield new lines of the log, new samples of the strips, and the newest frame."""
         if events := core.log.since(self._lines):
             self._lines += len(events)
             yield _encode(to_page.Events(events))

@@ -248,13 +248,15 @@ class Page:
         while self.pages.driver.phase is not Phase.CLOSED:
             fresh = self.pages.fresh  # get the event before the data, so that no later change is missed
             session = self.pages.session
-            for message in news.of(session):
+            for message in news.welcome(session):
                 await send_text(self.socket, message)
             while self.answers:
                 await self._send(self.answers.popleft())
             if (choice := self.pages.choice.message()) != scenarios:
                 scenarios = choice
                 await self._send(choice)
+            for message in news.role(session):
+                await send_text(self.socket, message)
             if (state := self.pages.readiness()) != readiness:
                 readiness = state
                 await self._send(state)
@@ -263,6 +265,8 @@ class Page:
                 if picture is not None and picture is not polygons.get(shot.camera):
                     polygons[shot.camera] = picture
                     await send_text(self.socket, picture)
+            for message in news.run(session):
+                await send_text(self.socket, message)
             if (driver := self.pages.driver).phase is Phase.FAILED:
                 await goodbye(self.socket, driver.failure)
                 return
