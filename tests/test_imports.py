@@ -112,6 +112,7 @@ WITHIN: dict[str, tuple[tuple[str, ...], ...]] = {
         ("messages",),
         ("conversion",),
         ("playback",),
+        ("core",),
         ("session",),
         ("server",),
         ("__init__",),

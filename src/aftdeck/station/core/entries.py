@@ -26,14 +26,13 @@ class Entries:
         self._lighting: Lighting | None = None
 
     def of(self, step: Step) -> Iterator[Entry]:
-        """Yield the entries of a step: what was before its motion, its inputs and frame, and what came after."""
+        """Yield the entries of a step: what it begins with, its inputs and frame, and the lines about its result."""
         wall, page = self._wall(step), step.asked.page
         yield from self.late(step)
         if page.controllers is not self._controllers:
             self._controllers = page.controllers
             yield ControllersRecord(step.began_s, controller_records(page.controllers), wall)
         yield from (_note(event, wall) for event in step.notes if event.time_s < step.frame.time_s)
-        yield Recorded(step.inputs, step.frame, wall, step.asked.latency_ms)
         time_s = step.frame.time_s
         if step.asked.monitors != self._monitors:
             self._monitors = step.asked.monitors
@@ -42,6 +41,7 @@ class Entries:
         if step.lighting != self._lighting:
             self._lighting = step.lighting
             yield light_record(time_s, self._lighting)
+        yield Recorded(step.inputs, step.frame, wall, step.asked.latency_ms)
         yield from (_note(event, wall) for event in step.notes if event.time_s >= time_s)
 
     def late(self, step: Begun) -> Iterator[Entry]:
