@@ -28,6 +28,8 @@ SEATED, STOWED = 0.05, math.radians(1.0)
 """Greatest distance of a trunnion from its seat [m], and greatest rotation of the payload [rad]."""
 HEIGHT, HALF_ANGLE, THROAT, PLAY = 0.51, math.radians(17.0), 0.044, 0.025
 """Dimensions of a V-guide [m], [rad], [m], [m]."""
+GIVES = 0.002
+"""Depth below its seat at which a trunnion is still at its seat [m]: guides give under a load."""
 
 
 @functools.cache
@@ -62,6 +64,6 @@ def latching(frame: Frame) -> Array:
     for k, (x, y, z) in enumerate(off):
         along, across = (y, x) if k == KEEL else (x, y)
         room = THROAT + max(z, 0.0) * math.tan(HALF_ANGLE)
-        margins += [z, HEIGHT - z, room - abs(along), PLAY - abs(across)]
+        margins += [z + GIVES, HEIGHT - z, room - abs(along), PLAY - abs(across)]
     angle = math.acos(min(1.0, max(-1.0, (np.trace(turn) - 1.0) / 2.0)))
     return np.array([*margins, STOWED - angle])

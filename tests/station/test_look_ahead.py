@@ -9,7 +9,8 @@ from aftdeck import Inputs, Simulation
 from aftdeck.scenario.load import load_scenario
 from aftdeck.station.conversion.frame_of import Displays
 from aftdeck.station.conversion.welcome_of import welcome_of
-from aftdeck.station.core.core import LOOK_EVERY, LOOK_S
+from aftdeck.station.core.core import LOOK_S
+from aftdeck.station.core.look import EVERY
 from aftdeck.station.messages import from_page
 from tests.station.flying import flying, step_until
 from tests.station.pages import STILL
@@ -69,7 +70,7 @@ def test_restart_resets_the_axis_that_was_used_last() -> None:
         session.accept(from_page.Restart(2))
         step_until(
             session,
-            lambda f: f.tick > LOOK_EVERY and f.display.ahead is not None and not f.display.ahead.moves,
+            lambda f: f.tick > EVERY and f.display.ahead is not None and not f.display.ahead.moves,
             "nothing moves",
         )
 

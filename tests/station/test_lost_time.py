@@ -16,7 +16,7 @@ from aftdeck.recording.writer import Recorder
 from aftdeck.report.lamps import NEW_LOSS_S, TIME_LOST
 from aftdeck.simulation.inputs import Inputs
 from aftdeck.simulation.run import Simulation
-from aftdeck.station.core.core import LOSS_LOGGED_EVERY
+from aftdeck.station.core.lost_time import LOGGED_EVERY
 from aftdeck.station.core.step import Delay
 from aftdeck.station.messages import from_page
 from aftdeck.station.playback.store import PlaybackStore
@@ -134,7 +134,7 @@ def test_lost_time_is_logged_at_most_once_in_ten_seconds_with_its_sum() -> None:
             session.step(Delay(0.5, 0.5))
         logged = [event for event in session.log.since(0) if event.kind == "time lost"]
         assert len(logged) == 1 and logged[0].level == "caution"
-        steps(session, round(LOSS_LOGGED_EVERY / PERIOD))
+        steps(session, round(LOGGED_EVERY / PERIOD))
         logged = [event for event in session.log.since(0) if event.kind == "time lost"]
         assert len(logged) == 2 and "50.00 s" in logged[1].text
 

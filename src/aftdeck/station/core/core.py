@@ -7,21 +7,18 @@ the pages, and sends them what is new: a server with threads and WebSockets (`se
 
 from __future__ import annotations
 
-import math
 from collections.abc import Callable, Sequence
 from typing import Protocol
 
 import msgspec
 
-from aftdeck.law import is_plain
 from aftdeck.recording.content import Ended
 from aftdeck.recording.delays import Delays
 from aftdeck.report.lamps import StandingLamps, lit_lamps
 from aftdeck.report.metrics.announcements import ANNOUNCED
 from aftdeck.scenario.model import Scenario
-from aftdeck.simulation.frame import Event, Frame, Level
+from aftdeck.simulation.frame import Event, Level
 from aftdeck.simulation.inputs import Inputs
-from aftdeck.simulation.observe.look_ahead import Axis
 from aftdeck.simulation.run import Simulation
 from aftdeck.station.conversion.frame_of import Displays
 from aftdeck.station.conversion.welcome_of import welcome_of
@@ -31,6 +28,8 @@ from aftdeck.station.core.commands import inputs_of, travel
 from aftdeck.station.core.desk import Answer, Desk, Page
 from aftdeck.station.core.light import Lights
 from aftdeck.station.core.log import Log
+from aftdeck.station.core.look import Look
+from aftdeck.station.core.lost_time import LostTime
 from aftdeck.station.core.page_inputs import SILENCE, Taken
 from aftdeck.station.core.pulses import Pulses
 from aftdeck.station.core.recent import RecentRun
@@ -40,16 +39,11 @@ from aftdeck.station.core.step import PUNCTUAL, Begun, Delay, Observer, Step
 from aftdeck.station.core.task_run import TaskRun
 from aftdeck.station.core.unattended import safe_inputs
 from aftdeck.station.messages import from_page
-from aftdeck.station.messages.frame import Ahead, TaskPair
 
-LOOK_EVERY = 10
-"""Steps from one look-ahead to the next, and from one search for the task's pair to the next."""
 LOOK_S = 5.0
 """Time span of the look-ahead at the start of a session [s]; a page can set another one."""
 MOVED = 1e-3
 """Stick deflection above which the operator takes control from the script or another autopilot."""
-LOSS_LOGGED_EVERY = 60.0
-"""Least time from one log line about lost time to the next [s]."""
 QUIET_S = 1.0
 """Time after the announcement of a clearance problem in which others are ignored [s]."""
 
@@ -79,7 +73,6 @@ class Core:
         desk: what the pages ask for.
         recent: the last minutes of the present run.
         log: events of all runs of the session.
-        delays: delays of the control steps of the present run.
         newest: newest frame, encoded as JSON; empty before the first step.
         observers: further observers, which see each step last.
         ended: called at the end of each run, before another begins.
@@ -135,26 +128,27 @@ class Core:
         """Create the simulation of a new run, and delete all data of the previous run."""
         self._sim = Simulation(self.scenario, self._seed)
         self.recent = RecentRun(self.scenario)
-        self.delays = Delays()
+        self._lost = LostTime(self.scenario.control_period)
         self._task = TaskRun(self.scenario)
         self._lights = Lights()
         self._release = ReleaseQuestion()
         self._pulses = Pulses(self.scenario)
         self._standing = StandingLamps()
-        self._lost_logged = 0.0
         self._commanded = False
-        self._log_loss_from = -math.inf
         self._quiet_until_s = 0.0
         self._engaged = None if self._first is None else Engaged(self._first)
-        self._ahead: Ahead | None = None
-        self._pair: TaskPair | None = None
-        self._axis: Axis | None = None
+        self._view = Look(self._displays)
         self._monitors_before: tuple[tuple[str, ...], ...] = ()
 
     @property
     def time_s(self) -> float:
         """Simulated time of the newest step [s]; 0 before the first one."""
         return self._sim.frame.time_s if self._sim.frame else 0.0
+
+    @property
+    def delays(self) -> Delays:
+        """Delays of the control steps of the present run."""
+        return self._lost.delays
 
     def begin(self) -> None:
         """Begin to record the run. Call this once, before the first step."""
@@ -203,15 +197,15 @@ class Core:
             autopilot=self.desk.autopilot,
         )
         self._tell(step)
-        self._look(frame)
+        self._view.renew(self._sim, frame, self._task.progress, self._look_s)
         self._task.see(step)
         step.shown = self._displays.frame(
             frame,
             taken.sticks.seq,
             frame.time_s if self._recording is not None and self._recording.recorded else None,
-            self._ahead,
+            self._view.ahead,
             step.lighting,
-            pair=self._pair,
+            pair=self._view.pair,
             flown_seq=flown,
             lamps=step.lamps,
             progress=self._task.progress,
@@ -225,20 +219,13 @@ class Core:
         return step
 
     def _begun(self, asked: Asked, delay: Delay) -> Begun:
-        """Return the step that begins; count its delay, and log lost time, at most every `LOSS_LOGGED_EVERY`."""
+        """Return the step that begins, with its delay and the lines that wait for it."""
         time_s, frame = self.time_s, self._sim.frame
-        late = delay if delay.late_s > self.scenario.control_period else None
-        if late is not None:
-            self.delays = self.delays.after(time_s, *late, commanded=self._commanded)
+        late, text = self._lost.count(time_s, delay, commanded=self._commanded)
         notes, self._waiting = self._waiting, []
         tick = frame.tick + 1 if frame else 1
         step = Begun(tick, self._clock(), time_s, asked, late, self.delays, self._commanded, notes)
-        if not self._commanded:
-            self._lost_logged = self.delays.lost_s
-        if self.delays.lost_s > self._lost_logged and time_s >= self._log_loss_from:
-            lost, self._lost_logged = self.delays.lost_s - self._lost_logged, self.delays.lost_s
-            self._log_loss_from = time_s + LOSS_LOGGED_EVERY
-            text = f"the computer was too slow: {lost:.2f} s lost ({self.delays.lost_s:.2f} s in this run)"
+        if text:
             step.note("time lost", text, "caution")
         return step
 
@@ -294,19 +281,6 @@ class Core:
             self._task.progress.look()
         self._monitors_before = asked.monitors
 
-    def _look(self, frame: Frame) -> None:
-        """Compute the look-ahead and the task's pair, in different steps, when they are due.
-
-        As plain Python, each takes several control periods: then there are none.
-        """
-        if is_plain():
-            self._ahead, self._pair = None, None
-        elif frame.tick % LOOK_EVERY == 1:
-            self._axis = _deflected(frame) or self._axis
-            self._ahead = self._displays.ahead(self._sim.ahead(self._look_s, self._axis), frame)
-        elif frame.tick % LOOK_EVERY == 1 + LOOK_EVERY // 2:
-            self._pair = self._displays.pair(self._sim.watched, frame, self._task.progress)
-
     def _for_simulation(self, step: Begun, command: from_page.FromPage | None) -> from_page.FromPage | None:
         """Do a command that concerns the session only; return any other command, unless it must be confirmed."""
         if question := self._release.question(command, self._sim.frame, self._task.progress.present):
@@ -349,12 +323,3 @@ class Core:
         if text:
             step.note("hands off", text, "caution")
         return inputs
-
-
-def _deflected(frame: Frame) -> Axis | None:
-    """Return the index of the axis with the largest deflection, and its sign; None if the sticks are centred."""
-    axes = (*frame.rotation, *frame.translation, frame.drive)
-    largest = max(range(len(axes)), key=lambda k: abs(axes[k]))
-    if axes[largest] == 0.0:
-        return None
-    return largest, 1 if axes[largest] > 0.0 else -1

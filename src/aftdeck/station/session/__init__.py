@@ -1,1 +1,1 @@
-"""The session: one run that pages share."""
+"""Session of a server: the core with a clock, threads, files and processes."""
