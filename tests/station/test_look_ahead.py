@@ -4,13 +4,13 @@ from __future__ import annotations
 
 import msgspec
 import pytest
-from aftdeck.station.core.look import EVERY
 
 from aftdeck import Inputs, Simulation
 from aftdeck.scenario.load import load_scenario
 from aftdeck.station.conversion.frame_of import Displays
 from aftdeck.station.conversion.welcome_of import welcome_of
 from aftdeck.station.core.core import LOOK_S
+from aftdeck.station.core.look import EVERY
 from aftdeck.station.messages import from_page
 from tests.station.flying import flying, step_until
 from tests.station.pages import STILL

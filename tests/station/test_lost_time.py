@@ -5,7 +5,6 @@ from __future__ import annotations
 from pathlib import Path
 
 import pytest
-from aftdeck.station.core.lost_time import LOGGED_EVERY
 from hypothesis import given
 from hypothesis import strategies as st
 
@@ -17,6 +16,7 @@ from aftdeck.recording.writer import Recorder
 from aftdeck.report.lamps import NEW_LOSS_S, TIME_LOST
 from aftdeck.simulation.inputs import Inputs
 from aftdeck.simulation.run import Simulation
+from aftdeck.station.core.lost_time import LOGGED_EVERY
 from aftdeck.station.core.step import Delay
 from aftdeck.station.messages import from_page
 from aftdeck.station.playback.store import PlaybackStore

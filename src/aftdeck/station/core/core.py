@@ -11,8 +11,6 @@ from collections.abc import Callable, Sequence
 from typing import Protocol
 
 import msgspec
-from aftdeck.station.core.look import Look
-from aftdeck.station.core.lost_time import LostTime
 
 from aftdeck.recording.content import Ended
 from aftdeck.recording.delays import Delays
@@ -30,6 +28,8 @@ from aftdeck.station.core.commands import inputs_of, travel
 from aftdeck.station.core.desk import Answer, Desk, Page
 from aftdeck.station.core.light import Lights
 from aftdeck.station.core.log import Log
+from aftdeck.station.core.look import Look
+from aftdeck.station.core.lost_time import LostTime
 from aftdeck.station.core.page_inputs import SILENCE, Taken
 from aftdeck.station.core.pulses import Pulses
 from aftdeck.station.core.recent import RecentRun
