@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import time
+from abc import ABC, abstractmethod
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from http.client import HTTPConnection
@@ -58,16 +59,23 @@ def in_time(start: float, steps: int) -> bool:
     return time.monotonic() - start < steps * scenario().control_period + LATE_S
 
 
-class Page:
-    """Page that the server cannot distinguish from a page in a browser."""
+class Flier(ABC):
+    """Page of a test that sends sticks and commands, and waits for messages.
 
-    def __init__(self, socket: ClientConnection) -> None:
-        self.socket = socket
+    Attributes:
+        seq: number of the last message; -1 before the first one.
+    """
+
+    def __init__(self) -> None:
         self.seq = -1
 
-    def send(self, message: msgspec.Struct | str | bytes) -> None:
-        """Send a message, or any text or bytes."""
-        self.socket.send(message if isinstance(message, str | bytes) else text_of(message))
+    @abstractmethod
+    def send(self, message: from_page.FromPage) -> None:
+        """Send a message."""
+
+    @abstractmethod
+    def receive(self) -> to_page.FromServer:
+        """Return the next message."""
 
     def next_seq(self) -> int:
         self.seq += 1
@@ -78,10 +86,6 @@ class Page:
         seq = self.next_seq()
         self.send(from_page.Sticks(seq, translation, rotation, drive))
         return seq
-
-    def receive(self) -> to_page.FromServer:
-        """Return the next message."""
-        return _messages.decode(self.socket.recv(timeout=WAIT_S))
 
     def wait_for(self, kind: type[_M], condition: Callable[[_M], bool] = lambda _: True) -> _M:
         """Return the next message of type `kind` that `condition` accepts."""
@@ -96,6 +100,25 @@ class Page:
         """Return the first frame whose `stick_seq` has reached this number."""
         return self.wait_for(Frame, lambda frame: frame.display.stick_seq >= seq)
 
+    def rejection(self) -> str:
+        return self.wait_for(to_page.Refused).text
+
+
+class Page(Flier):
+    """Page that the server cannot distinguish from a page in a browser."""
+
+    def __init__(self, socket: ClientConnection) -> None:
+        super().__init__()
+        self.socket = socket
+
+    def send(self, message: msgspec.Struct | str | bytes) -> None:
+        """Send a message, or any text or bytes."""
+        self.socket.send(message if isinstance(message, str | bytes) else text_of(message))
+
+    def receive(self) -> to_page.FromServer:
+        """Return the next message."""
+        return _messages.decode(self.socket.recv(timeout=WAIT_S))
+
     def is_answered(self, steps: int) -> bool:
         """Answer the frames of `steps` control steps with stick messages; return whether the frames arrive in time."""
         first, start = self.flown(self.push()), time.monotonic()
@@ -103,9 +126,6 @@ class Page:
         while last.tick < first.tick + steps:
             last = self.flown(self.push())
         return in_time(start, steps)
-
-    def rejection(self) -> str:
-        return self.wait_for(to_page.Refused).text
 
     def greet(self) -> Welcome:
         self.send(from_page.Hello(kinds.PROTOCOL))
