@@ -9,11 +9,13 @@ from pathlib import Path
 
 import pytest
 
+from aftdeck.errors import SimulationError
 from aftdeck.recording.bundle import opening
 from aftdeck.recording.reader import Recording
-from aftdeck.recording.records import FrameRecord, Input, Note
+from aftdeck.recording.records import DelayRecord, FrameRecord, Input, Note
 from aftdeck.scenario.model import Scenario
 from aftdeck.station.core.direct import Direct, DirectRecording
+from aftdeck.station.core.step import Delay
 from aftdeck.station.messages import from_page, to_page
 from aftdeck.station.messages.frame import Frame
 from aftdeck.station.messages.welcome import Welcome
@@ -151,6 +153,47 @@ def test_direct_recording_is_equal_to_that_of_a_server(tmp_path: Path, run: Run)
             assert [without_wall(m) for m in a if isinstance(m, kind)] == [
                 without_wall(m) for m in b if isinstance(m, kind)
             ]
+
+
+def test_delay_and_lines_before_the_end_of_a_run_are_recorded(tmp_path: Path) -> None:
+    host = Direct(scenario(), recording=DirectRecording(lambda of, seed: opening(of, seed, BEGAN_NS), BEGAN_NS))
+    page = host.join()
+    host.step()
+    page.send(from_page.SelectRate(1, "vernier"))
+    host.step()
+    host.core.note("page", "before the restart")
+    page.send(from_page.Restart(2))
+    host.step(Delay(0.4, 0.4))
+    host.core.note("page", "before the end")
+    host.close()
+    assert host.recording is not None
+    recorded = []
+    for k, content in enumerate(host.recording.files):
+        (path := tmp_path / f"{k}.mcap").write_bytes(content.getvalue())
+        recorded.append(list(Recording(path).messages()))
+    delays = [[m.lost_s for m in run if isinstance(m, DelayRecord)] for run in recorded]
+    kinds = [[(m.kind, m.text) for m in run if isinstance(m, Note) and m.kind == "page"] for run in recorded]
+    assert delays == [[0.4], []]
+    assert kinds == [[("page", "before the restart")], [("page", "before the end")]]
+    assert {"before the restart", "before the end"} <= {event.text for event in host.core.log.since(0)}
+
+
+def test_delay_and_lines_of_a_step_that_fails_are_recorded(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    def fail(_: object) -> None:
+        raise SimulationError("no such step")
+
+    host = Direct(scenario(), recording=DirectRecording(lambda of, seed: opening(of, seed, BEGAN_NS), BEGAN_NS))
+    host.step()
+    host.core.note("page", "before the failure")
+    monkeypatch.setattr(host.core._sim, "step", fail)
+    with pytest.raises(SimulationError):
+        host.step(Delay(0.4, 0.4))
+    host.close()
+    assert host.recording is not None
+    (path := tmp_path / "run.mcap").write_bytes(host.recording.files[0].getvalue())
+    messages = list(Recording(path).messages())
+    assert [m.lost_s for m in messages if isinstance(m, DelayRecord)] == [0.4]
+    assert "before the failure" in [m.text for m in messages if isinstance(m, Note)]
 
 
 def without_wall(message: FrameRecord | Note) -> list[object]:

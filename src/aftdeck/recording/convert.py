@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 from msgspec.structs import astuple
 
 from aftdeck.recording.codec import as_read
-from aftdeck.recording.records import FrameRecord, Input, LightRecord, LockRecord
+from aftdeck.recording.records import FrameRecord, Input, LightRecord, LockRecord, Shown
 from aftdeck.scenario.light import Lighting, LockedExposure
 from aftdeck.simulation.frame import Frame
 from aftdeck.simulation.inputs import Inputs
@@ -42,6 +44,12 @@ def light_record(time_s: float, lighting: Lighting) -> LightRecord:
     """Return the record of the lighting from `time_s` [s] on."""
     locked = tuple([LockRecord(lock.camera, lock.stops) for lock in lighting.locked])
     return LightRecord(time_s, lighting.condition, lighting.lamps, locked)
+
+
+def shown_record(time_s: float, monitors: Sequence[tuple[str, ...]]) -> Shown:
+    """Return the record of the cameras on the monitors from `time_s` [s] on; a monitor that is not given has none."""
+    mon_1, mon_2 = (*monitors, (), ())[:2]
+    return Shown(time_s, mon_1, mon_2)
 
 
 def lighting_of(record: LightRecord) -> Lighting:

@@ -64,7 +64,7 @@ class Opening(Message, frozen=True):
     real_time: Annotated[
         bool, field_meta("whether the steps were due at times of the wall clock, and late steps are recorded")
     ] = False
-    viewed: Annotated[bool, field_meta("whether the file has the channels with Foxglove's schemas besides")] = True
+    viewed: Annotated[bool, field_meta("whether the file also has the channels with Foxglove's schemas")] = True
 
 
 class Input(Inputs, Message, frozen=True, omit_defaults=True, kw_only=True):

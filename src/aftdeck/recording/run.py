@@ -6,8 +6,8 @@ from collections.abc import Callable
 from pathlib import Path
 
 from aftdeck.errors import RecordingError
+from aftdeck.recording.convert import shown_record
 from aftdeck.recording.index import Index
-from aftdeck.recording.records import Shown
 from aftdeck.recording.trial import NO_TRIAL, Trial
 from aftdeck.recording.writer import Recorder
 from aftdeck.scenario.load import load_scenario
@@ -70,7 +70,7 @@ def record(
     own_seed = loaded.seed if seed is None else whole(seed, "seed")
     recorder = Recorder(Path(out), loaded, own_seed, trial=trial, index=index)
     if shown is not None:
-        recorder.put(Shown(0.0, *(*shown, (), ())[:2]))
+        recorder.put(shown_record(0.0, shown))
 
     def record_step(sim: Simulation) -> None:
         recorder.step(sim.given, sim.look())

@@ -57,7 +57,7 @@ class Recording(Observer, Protocol):
         """Begin a run at the time `now` [s], on the host's clock."""
 
     def end(self, ended: Ended, step: Begun | None = None) -> None:
-        """End a run; `step`: the step that ends it before its motion."""
+        """End a run; `step`: the step that the simulation has not made, whose delay and notes belong to the run."""
 
     @property
     def recorded(self) -> bool:
@@ -75,7 +75,6 @@ class Core:
         log: events of all runs of the session.
         newest: newest frame, encoded as JSON; empty before the first step.
         observers: further observers, which see each step last.
-        ended: called at the end of each run, before another begins.
     """
 
     def __init__(
@@ -114,10 +113,10 @@ class Core:
         )
         self.log = Log()
         self.newest = b""
-        self.ended: Callable[[], None] = lambda: None
         self._look_s = LOOK_S
         self._cancelled_until = 0.0
-        self._waiting: list[Event] = []
+        self._notes: list[Event] = []
+        self._under_way: Begun | None = None
         self._engaged: Engaged | None = None
         self._reset()
         if shown:
@@ -157,13 +156,17 @@ class Core:
 
     def close(self) -> None:
         """End the run."""
+        self._end("stopped", self._under_way or self._begun())
+
+    def _end(self, ended: Ended, step: Begun) -> None:
+        """End the run and its recording, with the step that the simulation has not made."""
         if self._recording is not None:
-            self._recording.end("stopped")
-        self.ended()
+            self._recording.end(ended, step)
+        self.log.add(step.notes)
 
     def note(self, kind: str, text: str, level: Level = "info") -> None:
         """Log and record a line of the host's, with the next step."""
-        self._waiting.append(Event(self.time_s, kind, level, text))
+        self._notes.append(Event(self.time_s, kind, level, text))
 
     def receive(self, page: Page, message: from_page.FromPage) -> tuple[Answer, ...]:
         """Take a message of a page, and return the answers to it."""
@@ -180,10 +183,13 @@ class Core:
             asked: what the pages ask for.
             delay: delay with which the step begins.
         """
-        begun, taken = self._begun(asked, delay), asked.page
-        cause = taken.cause
+        late, lost = self._lost.count(self.time_s, delay, commanded=self._commanded)
+        self._under_way = begun = self._begun(late)
+        if lost:
+            begun.note("time lost", lost, "caution")
+        taken, cause = asked.page, asked.page.cause
         if isinstance(taken.command, from_page.Restart):
-            begun = self._restart(begun)
+            self._under_way = begun = self._restart(begun)
         elif isinstance(taken.command, from_page.HandsOff):
             cause = cause or taken.command.cause
         command = self._for_simulation(begun, taken.command)
@@ -191,6 +197,7 @@ class Core:
         frame = self._sim.step(inputs)
         step = Step(
             *msgspec.structs.astuple(begun),
+            asked=asked,
             inputs=inputs,
             frame=frame,
             lamps=self._standing.marked(lit_lamps(self.scenario, frame, self.delays)),
@@ -199,7 +206,7 @@ class Core:
         self._tell(step)
         self._view.renew(self._sim, frame, self._task.progress, self._look_s)
         self._task.see(step)
-        step.shown = self._displays.frame(
+        shown = self._displays.frame(
             frame,
             taken.sticks.seq,
             frame.time_s if self._recording is not None and self._recording.recorded else None,
@@ -212,32 +219,26 @@ class Core:
             debrief=step.debrief,
             autopilot=step.autopilot,
         )
-        step.encoded = self.newest = _encoder.encode(step.shown)
+        self.newest = _encoder.encode(shown)
         for observer in (self._recording, self.recent, self.log, *self.observers):
             if observer is not None:
                 observer.see(step)
+        self._under_way = None
         return step
 
-    def _begun(self, asked: Asked, delay: Delay) -> Begun:
-        """Return the step that begins, with its delay and the lines that wait for it."""
-        time_s, frame = self.time_s, self._sim.frame
-        late, text = self._lost.count(time_s, delay, commanded=self._commanded)
-        notes, self._waiting = self._waiting, []
+    def _begun(self, late: Delay | None = None) -> Begun:
+        """Return the step that begins, with the lines that wait for it; `late`: its delay, if it is to be recorded."""
+        notes, self._notes = self._notes, []
+        frame = self._sim.frame
         tick = frame.tick + 1 if frame else 1
-        step = Begun(tick, self._clock(), time_s, asked, late, self.delays, self._commanded, notes)
-        if text:
-            step.note("time lost", text, "caution")
-        return step
+        return Begun(tick, self._clock(), self.time_s, late, self.delays, self._commanded, notes)
 
     def _restart(self, step: Begun) -> Begun:
         """Finish the run and its recording, restart the scenario, and return the first step of the new run."""
-        if self._recording is not None:
-            self._recording.end("restarted", step)
-        self.log.add(step.notes)
-        self.ended()
+        self._end("restarted", step)
         self._reset()
         self.begin()
-        first = Begun(1, step.now, 0.0, step.asked, None, self.delays, False, [], restarted=True)
+        first = Begun(1, step.now, 0.0, None, self.delays, False, [], restarted=True)
         first.note("restart", f"{self.scenario.title}: restarted")
         return first
 

@@ -96,7 +96,8 @@ class Desk:
 
     def receive(self, page: Page, message: from_page.FromPage) -> tuple[Answer, ...]:
         """Take a message of a page, and return the answers to it: to this page if it is rejected, or to another."""
-        self._numbers[page] = message.seq
+        if page in self.roles:
+            self._numbers[page] = message.seq
         try:
             if isinstance(message, from_page.Announce):
                 self.announce("operator" if page == self.roles.operator else "observer")

@@ -54,10 +54,10 @@ class DirectRecording:
                 self._recorder.put(entry)
 
     def end(self, ended: Ended, step: Begun | None = None) -> None:
-        """End the run, with the step that ends it."""
+        """End the run, with the step that the simulation has not made."""
         if self._recorder is None:
             return
-        for entry in self._entries.late(step) if step is not None else ():
+        for entry in self._entries.before_the_end(step) if step is not None else ():
             self._recorder.put(entry)
         self._recorder.finish(ended)
         self._recorder = None

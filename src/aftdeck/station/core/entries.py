@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from aftdeck.recording.content import Entry, Recorded
-from aftdeck.recording.convert import light_record
-from aftdeck.recording.records import ControllersRecord, DelayRecord, Note, Shown
+from aftdeck.recording.convert import light_record, shown_record
+from aftdeck.recording.records import ControllersRecord, DelayRecord, Note
 from aftdeck.scenario.light import Lighting
 from aftdeck.simulation.frame import Event
 from aftdeck.station.core.commands import controller_records
@@ -28,34 +28,31 @@ class Entries:
     def of(self, step: Step) -> Iterator[Entry]:
         """Yield the entries of a step: what it begins with, its inputs and frame, and the lines about its result."""
         wall, page = self._wall(step), step.asked.page
-        yield from self.late(step)
+        yield from self._late(step, wall)
         if page.controllers is not self._controllers:
             self._controllers = page.controllers
             yield ControllersRecord(step.began_s, controller_records(page.controllers), wall)
-        yield from (_note(event, wall) for event in step.notes if event.time_s < step.frame.time_s)
         time_s = step.frame.time_s
+        yield from (_note(event, wall) for event in step.notes if event.time_s < time_s)
         if step.asked.monitors != self._monitors:
             self._monitors = step.asked.monitors
-            mon_1, mon_2 = (*self._monitors, (), ())[:2]
-            yield Shown(time_s, mon_1, mon_2)
+            yield shown_record(time_s, self._monitors)
         if step.lighting != self._lighting:
             self._lighting = step.lighting
             yield light_record(time_s, self._lighting)
         yield Recorded(step.inputs, step.frame, wall, step.asked.latency_ms)
         yield from (_note(event, wall) for event in step.notes if event.time_s >= time_s)
 
-    def late(self, step: Begun) -> Iterator[Entry]:
-        """Yield the entry of a late step, with which a run can also end."""
+    def before_the_end(self, step: Begun) -> Iterator[Entry]:
+        """Yield the entries of a step that the simulation has not made, because the run ends."""
+        wall = self._wall(step)
+        yield from self._late(step, wall)
+        yield from (_note(event, wall) for event in step.notes)
+
+    def _late(self, step: Begun, wall_s: float) -> Iterator[Entry]:
         if step.late is not None:
             late_s, lost_s = step.late
-            yield DelayRecord(
-                step.tick,
-                step.began_s,
-                round(late_s, 6),
-                round(lost_s, 6),
-                self._wall(step),
-                step.commanded,
-            )
+            yield DelayRecord(step.tick, step.began_s, round(late_s, 6), round(lost_s, 6), wall_s, step.commanded)
 
     def _wall(self, step: Begun) -> float:
         return round(step.now - self._began, 6)

@@ -13,7 +13,6 @@ from aftdeck.simulation.frame import Event, Frame, Level
 from aftdeck.simulation.inputs import Inputs
 from aftdeck.station.core.asked import Asked
 from aftdeck.station.messages.frame import AutopilotName, Debrief
-from aftdeck.station.messages.frame import Frame as FrameMessage
 
 
 class Delay(NamedTuple):
@@ -40,8 +39,6 @@ class Begun(msgspec.Struct):
     """Time at its beginning [s], on the clock of the session's host."""
     began_s: float
     """Simulated time at its beginning [s]."""
-    asked: Asked
-    """What the pages ask for."""
     late: Delay | None
     """Delay, if it is longer than a control period."""
     delays: Delays
@@ -66,6 +63,8 @@ class Begun(msgspec.Struct):
 class Step(Begun, kw_only=True):
     """Control step that was made, and what is new."""
 
+    asked: Asked
+    """What the pages asked for."""
     inputs: Inputs | None
     """The simulation's inputs; None if the script supplies them."""
     frame: Frame
@@ -76,10 +75,6 @@ class Step(Begun, kw_only=True):
     """What flies; None: the operator."""
     debrief: Debrief | None = None
     """Result of the operator's task; None until all its steps are past."""
-    shown: FrameMessage | None = None
-    """Message with the frame."""
-    encoded: bytes = b""
-    """The message as JSON."""
 
     @property
     def time_s(self) -> float:

@@ -13,6 +13,7 @@ from pathlib import Path
 
 from aftdeck.law_change import Laws
 from aftdeck.lines import print_error
+from aftdeck.recording.content import Ended
 from aftdeck.recording.index import Index
 from aftdeck.recording.live import Live
 from aftdeck.recording.trial import NO_TRIAL, Trial
@@ -22,7 +23,7 @@ from aftdeck.station.core.autopilot import Autopilots
 from aftdeck.station.core.core import Core
 from aftdeck.station.core.desk import Answer, Page
 from aftdeck.station.core.roles import ControlRoles
-from aftdeck.station.core.step import PUNCTUAL, Delay
+from aftdeck.station.core.step import PUNCTUAL, Begun, Delay
 from aftdeck.station.messages import from_page
 from aftdeck.station.session.painter import Painter
 from aftdeck.station.session.session_recorder import SessionRecorder
@@ -85,7 +86,6 @@ class Session(Core):
             autopilots=autopilots,
             roles=roles,
         )
-        self.ended = self._print_loss
 
     def another(self, scenario: Scenario, *, shown: bool = False) -> Session:
         """Return a session of another scenario with the same pages, settings and recording folder.
@@ -159,11 +159,13 @@ class Session(Core):
         return self.advance(self.take(), delay).restarted
 
     def close(self) -> None:
-        """Finish the recording; if the run has lost time, print how much."""
+        """End the run, and wait for its recording."""
         self.painter.close()
         super().close()
         self._recorder.close()
 
-    def _print_loss(self) -> None:
+    def _end(self, ended: Ended, step: Begun) -> None:
+        """End the run and its recording; if the run has lost time, print how much."""
+        super()._end(ended, step)
         if self.delays.lost_s:
             print_error(f"{self.scenario.title!r}, {self.time_s:.2f} s: {self.delays.text()}")

@@ -106,9 +106,9 @@ class SessionRecorder:
                     self._report(text)
 
     def end(self, ended: Ended, step: Begun | None = None) -> None:
-        """End the run, with the step that ends it; another thread closes its file."""
+        """End the run, with the step that the simulation has not made; another thread closes its file."""
         if self._recorder is not None:
-            for entry in self._entries.late(step) if step is not None else ():
+            for entry in self._entries.before_the_end(step) if step is not None else ():
                 self._recorder.put(entry)
             self._recorder.finish(ended)
             self._ending.append(self._recorder)
