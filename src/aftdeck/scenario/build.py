@@ -24,6 +24,7 @@ from aftdeck.scenario.modes import Chosen, check_mode, chosen_mode
 from aftdeck.scenario.payload import held_payload
 from aftdeck.scenario.phases import script
 from aftdeck.scenario.places import TargetReferences
+from aftdeck.scenario.planned_changes import planned_changes
 from aftdeck.scenario.problems import Problems
 from aftdeck.scenario.schema import ScenarioFile
 from aftdeck.scenario.sequences import stored_points
@@ -93,6 +94,7 @@ def build(
     orbiter = spec.dynamics.orbiter or _usual_motion(worksite)
     names = payload_names([one.name for one in payloads], own=bool(grasp.payloads))
     disturbances = planned(problems, spec, Disturbable(spec.plant, orbiter, names))
+    changes_in_flight = planned_changes(problems, spec)
     _check_clearance(problems, spec)
     lamps = lamps_of(worksite, arm.model, payload, payloads) if worksite else ()
     light = lighting(problems, spec.light, lamps)
@@ -151,6 +153,7 @@ def build(
         own_payloads=tuple(grasp.payloads),
         payload=payload,
         disturbances=disturbances,
+        planned_changes=changes_in_flight,
         phases=tuple(phase for phase in phases if phase is not None),
         steps=tuple(steps),
         next=spec.next or "",

@@ -41,12 +41,12 @@ def _setting(problems: Problems, spec: CameraSpec, camera: Camera, where: Where)
         problems.add(where, f"give at least one of {', '.join(Setting._fields)}")
     if camera.drive is not None:
         for name, angle in given.items():
-            if what := _misfit(camera.drive, name, angle):
+            if what := misfit(camera.drive, name, angle):
                 problems.add((*where, name), what)
     return setting(camera)._replace(**given)
 
 
-def _misfit(drive: Drive, name: str, angle: float) -> str:
+def misfit(drive: Drive, name: str, angle: float) -> str:
     """Return why a drive cannot have an angle [rad]; "" if it can."""
     travels = {"pan": drive.pan, "tilt": drive.tilt, "zoom": drive.zoom}
     travel = travels[name]

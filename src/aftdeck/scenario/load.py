@@ -3,20 +3,24 @@
 from __future__ import annotations
 
 import tomllib
+from functools import lru_cache
 from pathlib import Path
 from typing import Any, NamedTuple
 
+from aftdeck.arms.load import ArmModel, model_of
 from aftdeck.dimensions import KEY, derive_from, has_formulas
 from aftdeck.encodable import encodable
-from aftdeck.errors import ScenarioError
+from aftdeck.errors import AftdeckError, InputError, ScenarioError
 from aftdeck.files import Changes, Problem, Text, examine, find_toml, read, sentences
 from aftdeck.law import interpreted
 from aftdeck.scenario.build import BUILT_IN, build
-from aftdeck.scenario.changes import GivenChanges, change_text, located
+from aftdeck.scenario.changes import GivenChanges, change_text, located, parse_change
+from aftdeck.scenario.in_flight import check_key, merged
+from aftdeck.scenario.keys import ARM, SCENARIO, SHAPES, WORKSITE, Change, key_at, problem_in
 from aftdeck.scenario.model import Scenario
 from aftdeck.scenario.problems import Problems
 from aftdeck.scenario.schema import ScenarioFile, ScenarioGroup
-from aftdeck.scenario.sources import Folder, Sources
+from aftdeck.scenario.sources import Folder, Sources, apart
 from aftdeck.worksite.file.load import dimensions_of
 
 
@@ -121,18 +125,103 @@ def parse_scenario(text: str, name: str, file: str, folder: Path, changes: Chang
     return scenario_from(text, name, file, Folder(folder), changes)
 
 
-def scenario_from(text: str, name: str, file: str, sources: Sources, changes: Changes | None = None) -> Scenario:
-    """Build a scenario from text, with an arm and a worksite from `sources`; otherwise like `parse_scenario`."""
+def scenario_from(
+    text: str, name: str, file: str, sources: Sources, changes: Changes | None = None, *, planned: bool = True
+) -> Scenario:
+    """Build a scenario from text, with an arm and a worksite from `sources`; otherwise like `parse_scenario`.
+
+    Changes of the arm's and the worksite's files, ``arm.…`` and ``worksite.…``, are then in the texts of these files;
+    `Scenario.changes` has those of the scenario's own file. `planned`: whether to check the planned changes in flight.
+    """
     source = Text(file, text)
-    spec, found = examine(ScenarioFile, source, changes, lambda raw: _derived(raw, sources, source))
+    origin, own = apart(sources, changes or {})
+    spec, found = examine(ScenarioFile, source, own, lambda raw: _derived(raw, origin, source))
     problems = Problems(found)
     with interpreted():
-        scenario = None if spec is None else build(problems, spec, name, text, _texts(changes), sources)
+        scenario = None if spec is None else build(problems, spec, name, text, _texts(own), origin)
     if scenario is None or problems:
         raise ScenarioError(problems.sentences(file, text))
+    if planned and scenario.planned_changes:
+        _check_planned(scenario, file)
     return scenario
 
 
-def _texts(changes: Changes | None) -> tuple[str, ...]:
+def _check_planned(scenario: Scenario, file: str) -> None:
+    """Check that the planned changes in flight are possible, each with those before it.
+
+    Raises:
+        ScenarioError: they are not; the message says which and why.
+    """
+    problems, before = Problems(), tuple[str, ...]()
+    for planned in scenario.planned_changes:
+        after = merged(before, planned.changes)
+        try:
+            in_force(scenario, after)
+            before = after
+        except InputError as error:
+            problems.add(("event", planned.number, "set"), str(error))
+    if problems:
+        raise ScenarioError(problems.sentences(file, scenario.text))
+
+
+class _Texts(NamedTuple):
+    """Arm and worksite of a scenario, as they are."""
+
+    scenario: Scenario
+
+    def arm(self, _: str) -> ArmModel:
+        """Return the arm, with its own limits instead of those of the scenario."""
+        return model_of(text_of(self.scenario, ARM), lambda _: text_of(self.scenario, SHAPES))
+
+    def worksite(self, _: str) -> Text:
+        """Return the worksite's text."""
+        return text_of(self.scenario, WORKSITE)
+
+
+def text_of(scenario: Scenario, kind: str) -> Text:
+    """Return the name and the text of one of a scenario's files.
+
+    Raises:
+        InputError: the arm has no file of shapes.
+    """
+    model = scenario.arm.model
+    if kind == SHAPES:
+        if model.shapes is None:
+            raise InputError(f"the arm {model.name!r} has no file of shapes")
+        return model.shapes
+    names = {SCENARIO: (scenario.name, scenario.text), ARM: (model.name, model.text)}
+    name, text = names.get(kind, (scenario.worksite.name, scenario.worksite.text))
+    return Text(f"{name}.toml", text)
+
+
+@lru_cache(maxsize=64)
+def in_force(scenario: Scenario, changes: tuple[str, ...]) -> Scenario:
+    """Return a scenario with changes in flight; the same object for the same changes.
+
+    Args:
+        scenario: the scenario with which the run began.
+        changes: the changes, each as KEY=VALUE.
+
+    Raises:
+        InputError: a key does not exist or cannot change in flight, or the files do not allow its value; the message
+            says why.
+    """
+    if not changes:
+        return scenario
+    new = dict(map(parse_change, scenario.changes))
+    for where, value in map(parse_change, changes):
+        key = key_at(where)
+        check_key(key)
+        is_formula = isinstance(value, str) and value.startswith("=")
+        if not is_formula and (what := problem_in(text_of(scenario, key.kind), Change(key, value))):
+            raise InputError(what)
+        new[where] = value
+    try:
+        return scenario_from(scenario.text, scenario.name, scenario.name, _Texts(scenario), new, planned=False)
+    except AftdeckError as error:
+        raise InputError(str(error)) from None
+
+
+def _texts(changes: Changes) -> tuple[str, ...]:
     """Return changes as texts."""
-    return tuple(change_text(where, value) for where, value in (changes or {}).items())
+    return tuple(change_text(where, value) for where, value in changes.items())

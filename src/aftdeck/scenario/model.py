@@ -16,6 +16,7 @@ from aftdeck.kinematics.arm import Arm
 from aftdeck.kinematics.payload import HeldPayload
 from aftdeck.scenario.disturbance import Disturbable, Planned, payload_names
 from aftdeck.scenario.light import Lighting
+from aftdeck.scenario.planned_changes import PlannedChange
 from aftdeck.scenario.schema import FreeContact, Part, Plant, PorOverride, Rate, ScenarioGroup, Until
 from aftdeck.scenario.target import RelativeTarget, Target
 from aftdeck.scenario.task_step import TaskStep
@@ -207,6 +208,7 @@ class Scenario:
             the payloads of the phases. The end effector neither captures nor releases these payloads.
         payload: the payload of `[payload]`, which is attached at the start; None if there is none.
         disturbances: forces and torques that act for a time, on a plant with masses.
+        planned_changes: changes in flight that the file plans, in the order of their times.
         phases: the script; empty if there is none.
         steps: steps of the operator's task; empty if the scenario describes none.
         next: name of the scenario that the station proposes after the last step; empty if it proposes none.
@@ -259,6 +261,7 @@ class Scenario:
     own_payloads: tuple[HeldPayload, ...]
     payload: HeldPayload | None
     disturbances: tuple[Planned, ...]
+    planned_changes: tuple[PlannedChange, ...]
     phases: tuple[PhasePlan, ...]
     steps: tuple[TaskStep, ...]
     next: str
@@ -274,6 +277,14 @@ class Scenario:
     def flexures(self) -> tuple[Flexure, ...]:
         """Parts of the arm that bend on the scenario's plant."""
         return flexures_of(self.arm.model) if self.plant == "flexible" else ()
+
+    @cached_property
+    def changes_at(self) -> dict[int, list[dict[str, str]]]:
+        """Planned changes in flight, by the number of the step in which they act, from 1."""
+        found: dict[int, list[dict[str, str]]] = {}
+        for planned in self.planned_changes:
+            found.setdefault(planned.tick, []).append(planned.changes)
+        return found
 
     @cached_property
     def disturbable(self) -> Disturbable:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Annotated, Literal
+from typing import Annotated, Any, Literal
 
 import msgspec
 
@@ -360,6 +360,17 @@ class DisturbanceSpec(_Part, frozen=True):
     at: Point | None = None
 
 
+class EventSpec(_Part, frozen=True):
+    """Change of values while the run lasts: in the first step that begins at or after the time `at` of the run.
+
+    `set` has a value for each key, such as ``limits.por.translation = "0.2 m/s"``; keys that begin with ``arm.`` and
+    ``worksite.`` are those of the arm's and the worksite's file. It acts with every operator.
+    """
+
+    at: Time
+    set: dict[str, Any]
+
+
 class PointSpec(_Part, frozen=True):
     """A prestored point of AUTO 1-4: a pause point, at which the arm waits for PROCEED, or a fly-by point."""
 
@@ -456,6 +467,7 @@ class ScenarioFile(_Part, frozen=True):
     cameras: dict[str, CameraSpec] = msgspec.field(default_factory=dict)
     """Settings of cameras at the start, by the camera's name."""
     disturbance: tuple[DisturbanceSpec, ...] = ()
+    event: tuple[EventSpec, ...] = ()
     phase: tuple[Phase, ...] = ()
     step: tuple[StepSpec, ...] = ()
     next: Text | None = None

@@ -7,10 +7,9 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from aftdeck.bodies.pose import HERE, POSE, compose
+from aftdeck.bodies.pose import HERE
 from aftdeck.errors import ScenarioError
 from aftdeck.kinematics.observe import observe
-from aftdeck.matrices import product
 from aftdeck.scenario.fit import TOLERANCE
 from aftdeck.scenario.model import Scenario, Start
 from aftdeck.scenario.schema import Part
@@ -19,7 +18,7 @@ from aftdeck.simulation.constants.flight import Flight
 from aftdeck.simulation.frame_poses import frames_at, frames_with_prong_at
 from aftdeck.simulation.operator.panel import make_ready
 from aftdeck.simulation.parts.carried import steering_setup
-from aftdeck.simulation.parts.free_flight import floating
+from aftdeck.simulation.parts.free_flight import at_start
 from aftdeck.simulation.parts.worksite_state import WorksiteState
 from aftdeck.simulation.payloads.alignment import count
 from aftdeck.simulation.payloads.forces import held_by
@@ -130,16 +129,11 @@ def _set_to_start(flight: Flight, state: State, start: Start) -> None:
     state.measure()
     frames = worksite.frames
     for k, payload in enumerate(site.payloads):
-        pose = np.empty(POSE)
-        compose(site.scene, site.starts[k], pose)
         if payload.start.berth:
             worksite.payloads[k].berth, worksite.payloads[k].latches = payload.start.berth, SHUT
             worksite.payloads[k].offset_at_fixing = worksite.payloads[k].offset_in_berth = list(HERE)
         else:
-            velocity = product(site.scene[3:].reshape(3, 3), payload.start.velocity)
-            control = payload.limit_cycle
-            rates, angles = (payload.start.rates, None) if control is None else (control.rate, control.start)
-            worksite.floating[k] = floating(pose, velocity, rates, control, angles)
+            worksite.floating[k] = at_start(site, k)
     worksite.update_attachments(site)
     frames[:] = frames_with_prong_at(site, worksite, plant, worksite.prong.position)
     if state.script.attached:

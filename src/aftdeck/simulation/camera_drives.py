@@ -13,6 +13,7 @@ import msgspec
 from aftdeck.bodies.cameras import Camera, Setting, Travel
 from aftdeck.errors import InputError
 from aftdeck.scenario.all_cameras import cameras_of, first_setting
+from aftdeck.scenario.camera_settings import misfit
 from aftdeck.scenario.model import Scenario
 
 
@@ -61,6 +62,13 @@ class Cameras:
         for name, switch in switches.items():
             if not (math.isfinite(switch) and -1.0 <= switch <= 1.0):
                 raise InputError(f"camera.{name}: got {switch}, expected a number in [-1, 1]")
+
+    def misfit(self, name: str, at: Setting) -> str:
+        """Return why a camera's drive cannot have a setting; "" if it can. A component that it does not move is free."""
+        drive = self._driven[self.names.index(name)].drive
+        moved = () if drive is None else [part for part in Setting._fields if getattr(drive, part) is not None]
+        found = [misfit(drive, part, getattr(at, part)) for part in moved if drive is not None]
+        return next(filter(None, found), "")
 
     def driven(self, views: Views, command: CameraDrive, period: float) -> Views:
         """Return the drive settings after one step with a command; the step lasts `period` [s].

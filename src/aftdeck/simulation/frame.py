@@ -347,3 +347,6 @@ class Frame(msgspec.Struct, frozen=True, gc=False):
     motions: Annotated[
         tuple[Motion, ...], field_meta("mechanisms in motion: latches, snares, carriage, prong, telescope")
     ] = ()
+    changes: Annotated[
+        tuple[str, ...], field_meta("changes in flight that are in force, each as KEY=VALUE; empty if there are none")
+    ] = ()

@@ -13,6 +13,7 @@ from aftdeck.bounds import COMPONENT, COORDINATE, Bounds
 from aftdeck.errors import InputError
 from aftdeck.kinematics.arm import Arm
 from aftdeck.scenario.disturbance import MOST_DISTURBANCES, Disturbance
+from aftdeck.scenario.in_flight import MOST_CHANGES
 from aftdeck.scenario.target import Target
 from aftdeck.simulation.camera_drives import CameraDrive
 from aftdeck.steering.mode import LawChoice
@@ -83,6 +84,9 @@ class Inputs(msgspec.Struct, frozen=True):
     disturbances: tuple[Disturbance, ...] = ()
     """Forces and torques on bodies in this step, on a plant with masses. The command delay does not delay them.
     `simulation.payloads.disturbances` checks them."""
+    changes: dict[str, str] = {}
+    """Changes in flight: a value, as TOML or plain text, for each key of the scenario, ``arm.…`` or ``worksite.…``.
+    They act from this step on. The command delay does not delay them. `scenario.in_flight` checks them."""
 
     def check(self, arm: Arm) -> None:
         """Check that hand controllers and switches can produce these inputs, which have plain values.
@@ -154,6 +158,7 @@ EXPECTED: dict[str, str] = {
     "master": "a finite coordinate of each joint [rad or m]",
     "camera": "a CameraDrive",
     "disturbances": f"at most {MOST_DISTURBANCES} Disturbances: each on a body, with a force (3,) and a torque (3,)",
+    "changes": f"at most {MOST_CHANGES} values by their keys, such as {{'limits.por.translation': '0.2 m/s'}}",
     "target": "a Target: a position (3,), a rotation (3, 3), and the joint angles or None",
 }
 """What each field allows, for error messages."""

@@ -15,8 +15,11 @@ from typing import Any, cast, get_args, get_type_hints
 import msgspec
 
 from aftdeck.errors import InputError
+from aftdeck.files import place
 from aftdeck.plain_values import few_numbers, flag, items, number, numbers, text, whole_number
+from aftdeck.scenario.changes import as_toml, parse_key
 from aftdeck.scenario.disturbance import MOST_DISTURBANCES, Disturbance
+from aftdeck.scenario.in_flight import MOST_CHANGES
 from aftdeck.scenario.target import Target
 from aftdeck.simulation.camera_drives import CameraDrive
 from aftdeck.simulation.inputs import EXPECTED, STICKS, Inputs
@@ -73,12 +76,12 @@ def whole(value: object, name: str) -> int:
 
 
 def _all_plain(inputs: Inputs) -> bool:
-    """Return whether the inputs are plain and have no target, master angles, camera or disturbances.
+    """Return whether the inputs are plain and have no target, master angles, camera, disturbances or changes.
 
     This test is quick, and its result is True in most steps.
     """
     values = msgspec.structs.astuple(inputs)
-    if not _plain_types(*map(type, values)) or inputs.disturbances:
+    if not _plain_types(*map(type, values)) or inputs.disturbances or inputs.changes:
         return False
     deflections = (*inputs.translation, *inputs.rotation, *inputs.orbiter, inputs.drive, inputs.telescope)
     return (
@@ -170,6 +173,22 @@ def _plain_disturbance(given: object) -> Disturbance:
     return Disturbance(*cast("Any", fields))
 
 
+def _plain_changes(given: object) -> dict[str, str]:
+    if not isinstance(given, Mapping) or len(given) > MOST_CHANGES:
+        raise TypeError
+    return {place(parse_key(text(key))): _plain_value(value) for key, value in given.items()}
+
+
+def _plain_value(value: Any) -> str:
+    """Return a value of a file as text, as it stands after KEY=."""
+    plain = value.tolist() if hasattr(value, "tolist") else value
+    if isinstance(plain, str):
+        return text(plain)
+    if not isinstance(plain, bool | int | float | list | tuple | dict):
+        raise TypeError
+    return as_toml(plain)
+
+
 def _conversions() -> Mapping[str, tuple[Callable[[Any], object], set[type]]]:
     """Return for each field of `Inputs` its conversion, and the types of the values that need none."""
     found: dict[str, tuple[Callable[[Any], object], set[type]]] = {}
@@ -185,7 +204,7 @@ def _conversion(name: str, kind: object) -> tuple[Callable[[Any], object], type]
     if name in STICKS:
         return (_deflection, float) if STICKS[name] == 1 else (_deflections, tuple)
     if name in _OWN:
-        return _OWN[name], tuple if name == "disturbances" else type(None)
+        return _OWN[name], {"disturbances": tuple, "changes": dict}.get(name, type(None))
     if kind is bool:
         return flag, bool
     return (whole_number, int) if kind is int else (text, str)
@@ -196,7 +215,8 @@ _OWN: Mapping[str, Callable[[Any], object]] = {
     "target": plain_target,
     "camera": _plain_drive,
     "disturbances": _plain_disturbances,
+    "changes": _plain_changes,
 }
-"""Conversion of the fields that hold more than one value; the quick test accepts only None there, or no disturbance."""
+"""Conversion of the fields that hold more than one value; the quick test accepts only None there, or no item."""
 _CONVERT = {name: convert for name, (convert, _) in _conversions().items()}
 _PLAIN_TYPES = [kinds for _, kinds in _conversions().values()]

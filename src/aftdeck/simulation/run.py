@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import hashlib
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from pathlib import Path
 from typing import Literal, cast
 
@@ -12,18 +12,19 @@ import msgspec
 
 from aftdeck.errors import InputError, SimulationError
 from aftdeck.plant.readings import Readings
+from aftdeck.scenario.in_flight import merged
 from aftdeck.scenario.load import load_scenario
 from aftdeck.scenario.model import Scenario, Start
 from aftdeck.simulation.begin import initial_state
-from aftdeck.simulation.constants.flight import run_constants
-from aftdeck.simulation.frame import Event, Frame
+from aftdeck.simulation.constants.flight import Flight, run_constants
+from aftdeck.simulation.frame import Event, Frame, Level
+from aftdeck.simulation.in_flight import check_fit, constants_with, go_on, resumed
 from aftdeck.simulation.inputs import Inputs
 from aftdeck.simulation.observe.look import frame_of
 from aftdeck.simulation.observe.look_ahead import Ahead, Axis, look_ahead
 from aftdeck.simulation.observe.look_work import all_near
 from aftdeck.simulation.payloads.disturbances import check_disturbances
 from aftdeck.simulation.plain import plain_inputs, whole
-from aftdeck.simulation.resume import resume
 from aftdeck.simulation.series.series import Series
 from aftdeck.simulation.step import step
 from aftdeck.simulation.summary import Summary, Tally
@@ -31,6 +32,9 @@ from aftdeck.state_part import digest, encoded
 from aftdeck.table import Table
 from aftdeck.units import short
 from aftdeck.worksite.report import Near
+
+MOST_READY = 4
+"""Greatest number of prepared changes that a simulation keeps."""
 
 
 class SavedSimulation(msgspec.Struct, frozen=True):
@@ -47,7 +51,7 @@ class Simulation:
     """One run of a scenario, stepped by its caller.
 
     Attributes:
-        scenario: the scenario of the run.
+        scenario: the scenario with which the run began; `in_force` has the changes in flight.
         seed: seed of all random values (the kinematic plant has no random values).
     """
 
@@ -69,7 +73,8 @@ class Simulation:
         self._digests, self._gauged, self._seal = digests, gauged, b""
         self._given: Inputs | None = None
         self._flown = Inputs()
-        self._flight = run_constants(self.scenario, gauged=self._gauged)
+        self._base = self._flight = run_constants(self.scenario, gauged=self._gauged)
+        self._ready: dict[tuple[str, ...], Flight] = {}
         self._state = initial_state(self._flight)
         constants = f"{self.scenario.text}\n{self.scenario.changes}\n{self.scenario.arm.model.source}"
         self._stepped = False
@@ -80,15 +85,22 @@ class Simulation:
 
         A copy then goes its own way. Making it takes as long as making a simulation; `save` and `restore` are quicker.
         """
-        fields = {name: value for name, value in vars(self).items() if name not in ("_flight", "_state")}
+        fields = {
+            name: value for name, value in vars(self).items() if name not in ("_base", "_flight", "_ready", "_state")
+        }
         return fields | {"_frame": self.frame, "_saved": encoded(self._state)}
 
     def __setstate__(self, fields: dict[str, object]) -> None:
         """Set the fields from those of another simulation, and make the constants of the run."""
         saved = cast("bytes", fields["_saved"])
         vars(self).update((name, value) for name, value in fields.items() if name != "_saved")
-        self._flight = run_constants(self.scenario, gauged=self._gauged)
-        self._state = resume(self._flight, saved)
+        self._base, self._ready = run_constants(self.scenario, gauged=self._gauged), {}
+        self._flight, self._state = resumed(self._base, saved, gauged=self._gauged)
+
+    @property
+    def in_force(self) -> Scenario:
+        """Scenario with the changes in flight that are in force."""
+        return self._flight.scenario
 
     @property
     def ended(self) -> Literal["", "completed", "time", "fault"]:
@@ -134,14 +146,16 @@ class Simulation:
 
         Raises:
             InputError: a value has another type, hand controllers and switches cannot produce the inputs, the target is
-                not a pose or contradicts its joint angles, the camera has no drive, or a disturbance cannot act. The
-                state is then unchanged.
+                not a pose or contradicts its joint angles, the camera has no drive, a disturbance cannot act, or a
+                change in flight is not possible. The state is then unchanged.
             SimulationError: the state is no longer finite.
         """
         if inputs is not None:
             inputs = self.checked(inputs)
+        lines = [*self._change(inputs.changes if inputs is not None else {}), *self._planned_changes()]
         state = self._state
         self._flown = step(self._flight, state, inputs)
+        state.events[:0] = lines
         self._given = inputs
         self._stepped, self._frame, self._seal = True, None, b""
         angles = state.plant.angles.tolist()
@@ -161,7 +175,52 @@ class Simulation:
             self._flight.cameras.check(plain.camera)
         if plain.disturbances:
             check_disturbances(self._flight, self._state, plain.disturbances)
+        if plain.changes:
+            self.prepare(plain.changes)
         return plain
+
+    def prepare(self, changes: Mapping[str, str]) -> None:
+        """Prepare changes in flight, so that the step in which they act takes milliseconds and not tenths of a second.
+
+        A thread of its own may call this while another one steps.
+
+        Args:
+            changes: values by their keys, as in `Inputs.changes`.
+
+        Raises:
+            InputError: a change is not possible now.
+        """
+        after = merged(self._state.changes, changes)
+        if after not in self._ready:
+            if len(self._ready) >= MOST_READY:
+                self._ready.clear()
+            self._ready[after] = constants_with(self._base, after, gauged=self._gauged)
+        check_fit(self._flight, self._ready[after], self._state)
+
+    def _change(self, changes: Mapping[str, str]) -> list[Event]:
+        """Change values in flight, and return the lines about it for the log of the next step."""
+        if not changes:
+            return []
+        self.prepare(changes)
+        before, after = self._flight, merged(self._state.changes, changes)
+        flight, self._ready = self._ready[after], {}
+        self._state = go_on(before, flight, self._state, after)
+        self._flight = flight
+        return [self._line(f"{key} = {value}", "info") for key, value in changes.items()]
+
+    def _planned_changes(self) -> list[Event]:
+        """Make the changes that the scenario plans for the next step; one that is not possible now is logged."""
+        lines: list[Event] = []
+        for planned in self.scenario.changes_at.get(self._state.tick + 1, ()):
+            try:
+                lines += self._change(planned)
+            except InputError as error:
+                lines.append(self._line(f"planned change refused: {error}", "caution"))
+        return lines
+
+    def _line(self, text: str, level: Level) -> Event:
+        """Return a line of the log of the next step."""
+        return Event((self._state.tick + 1) * self.scenario.control_period, "change", level, text)
 
     def seal(self) -> bytes:
         """Return the SHA-256 digest of the exact state after the last step, which is `Frame.sha256`.
@@ -224,7 +283,7 @@ class Simulation:
                 f"the saved state belongs to a scenario with digest {str(saved.scenario)[:12]}; the scenario of this "
                 f"simulation is {self.scenario.name!r} with digest {self._digest[:12]}"
             )
-        self._state = resume(self._flight, saved.state)
+        self._flight, self._state = resumed(self._base, saved.state, gauged=self._gauged)
         self.seed = seed
         self._stepped, self._frame, self._given, self._seal = False, None, None, b""
 
@@ -241,7 +300,7 @@ class Simulation:
             ScenarioError: `start` gives a held payload that the end effector could not have captured in this pose. The
                 simulation is then unchanged.
         """
-        self._state = initial_state(self._flight, start)
+        self._state, self._flight = initial_state(self._base, start), self._base
         self._flown, self._stepped, self._frame, self._given, self._seal = Inputs(), False, None, None, b""
 
 

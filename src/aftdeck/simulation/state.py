@@ -127,6 +127,7 @@ class State(StatePart):
         disturbances: forces and torques that disturb bodies in this step, on a plant with masses.
         ways_out: escape directions from nearby singularities, from exceeded joint limits and from contacts.
         events: log lines of the present step.
+        changes: changes in flight that are in force, each as KEY=VALUE (`scenario.in_flight`).
     """
 
     panel: Panel
@@ -148,6 +149,7 @@ class State(StatePart):
     disturbances: tuple[Wrench, ...] = ()
     ways_out: tuple[WayOut, ...] = ()
     events: list[Event] = msgspec.field(default_factory=list)
+    changes: tuple[str, ...] = ()
 
     def fork(self) -> State:
         """Return an independent copy of this state, without CMD CK, for a rehearsal on the kinematic plant."""

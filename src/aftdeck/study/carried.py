@@ -3,20 +3,18 @@
 from __future__ import annotations
 
 import tomllib
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable
 from pathlib import Path
-from typing import NamedTuple
 
 import msgspec
 
 from aftdeck.arms.load import ArmModel, model_of
 from aftdeck.errors import AftdeckError, InputError
-from aftdeck.files import Problem, Text, Where, place, put
-from aftdeck.scenario.changes import as_toml
+from aftdeck.files import Problem, Text, Where
+from aftdeck.scenario.keys import FILES, Change
 from aftdeck.scenario.load import Source, scenario_from
 from aftdeck.scenario.model import Scenario
 from aftdeck.scenario.sources import Folder
-from aftdeck.study.keys import Change, of_kind
 
 
 class ArmTexts(msgspec.Struct, frozen=True):
@@ -42,21 +40,12 @@ class Carried(msgspec.Struct, frozen=True):
         Raises:
             AftdeckError: the scenario is not valid with these changes.
         """
-        changes = tuple(changes)
-        sources = _Changed(self, of_kind(changes, "arm"), of_kind(changes, "worksite"))
-        return scenario_from(self.text, self.name, self.file, sources, of_kind(changes, "scenario"))
-
-
-class _Changed(NamedTuple):
-    """Origin of arm and worksite: the carried texts, with changes."""
-
-    carried: Carried
-    arm_changes: Mapping[Where, object]
-    worksite_changes: Mapping[Where, object]
+        given = {(*key.prefix, *key.where): value for key, value in changes if key.kind in FILES}
+        return scenario_from(self.text, self.name, self.file, self, given)
 
     def arm(self, name: str) -> ArmModel:
         """Return an arm, as `scenario.sources.Sources.arm` does."""
-        texts = self.carried.arms.get(name)
+        texts = self.arms.get(name)
         if texts is None:
             raise InputError(f"the study does not carry the arm {name!r}")
         shapes = texts.shapes
@@ -66,14 +55,14 @@ class _Changed(NamedTuple):
                 raise InputError(f"the study does not carry the shape file {wanted!r}")
             return shapes
 
-        return model_of(_changed(texts.arm, self.arm_changes), shape_text)
+        return model_of(texts.arm, shape_text)
 
     def worksite(self, name: str) -> Text:
         """Return a worksite's text, as `scenario.sources.Sources.worksite` does."""
-        text = self.carried.worksites.get(name)
+        text = self.worksites.get(name)
         if text is None:
             raise InputError(f"the study does not carry the worksite {name!r}")
-        return _changed(text, self.worksite_changes)
+        return text
 
 
 def carry(source: Source, levels: Iterable[tuple[Where, Change]]) -> tuple[Carried, list[Problem]]:
@@ -111,15 +100,3 @@ def _named(value: object, default: str) -> str:
 def _arm(folder: Folder, name: str) -> ArmTexts:
     model = folder.arm(name)
     return ArmTexts(Text(f"{Path(name).stem}.toml", model.text), model.shapes)
-
-
-def _changed(file: Text, changes: Mapping[Where, object]) -> Text:
-    """Return a TOML file with changes; its comments are lost, except one that names the changes."""
-    if not changes:
-        return file
-    raw = tomllib.loads(file.text)
-    for where, value in changes.items():
-        put(raw, where, value)
-    made = [f"# {file.name}, changed by a study: {place(where)} = {as_toml(value)}" for where, value in changes.items()]
-    lines = [f"{as_toml(key)} = {as_toml(value)}" for key, value in raw.items()]
-    return Text(file.name, "\n".join([*made, *lines, ""]))

@@ -15,12 +15,12 @@ from aftdeck.errors import RecordingError
 from aftdeck.recording.run import record
 from aftdeck.recording.trial import Trial
 from aftdeck.report.table import Row
+from aftdeck.scenario.keys import Change, of_kind
 from aftdeck.scenario.model import Scenario
 from aftdeck.schema_check import convert
 from aftdeck.simulation.run import run
 from aftdeck.simulation.summary import Summary
 from aftdeck.study.design import Case
-from aftdeck.study.keys import Change, Kind, of_kind
 from aftdeck.study.operator import Operator, operator_of, pilot_of, until_the_end
 from aftdeck.study.plan import Plan
 from aftdeck.study.result import error_text, results, row_of
@@ -162,6 +162,6 @@ def peak_memory_mb() -> float:
     return float(resource.getrusage(resource.RUSAGE_SELF).ru_maxrss) / unit
 
 
-def _table(table: dict[str, Any], kind: Kind, changes: tuple[Change, ...]) -> dict[str, Any]:
+def _table(table: dict[str, Any], kind: str, changes: tuple[Change, ...]) -> dict[str, Any]:
     """Return a table of the study with the changes of a case."""
     return table | {str(where[0]): value for where, value in of_kind(changes, kind).items()}

@@ -9,9 +9,9 @@ from typing import Any
 import msgspec
 
 from aftdeck.extra import needed
+from aftdeck.scenario.keys import Change
 from aftdeck.study.factor import Factor, Level
 from aftdeck.study.file import Study
-from aftdeck.study.keys import Change
 from aftdeck.table import Cell
 
 

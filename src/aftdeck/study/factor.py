@@ -8,7 +8,8 @@ from typing import NamedTuple
 from aftdeck.errors import InputError
 from aftdeck.files import Problem, Where
 from aftdeck.scenario.changes import as_toml
-from aftdeck.study.keys import Change, Key, parse_key
+from aftdeck.scenario.keys import Change, Key
+from aftdeck.study.keys import parse_key
 from aftdeck.study.schema import FactorSpec
 from aftdeck.study.span import Span, measure, span_of
 from aftdeck.table import Cell

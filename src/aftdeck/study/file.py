@@ -15,12 +15,13 @@ from aftdeck.files import Problem, Text, Where, beside, examine, find_toml, read
 from aftdeck.operators.spec import OperatorSpec
 from aftdeck.report.catalogue import METRICS
 from aftdeck.report.recorded import NEED_GAUGES
+from aftdeck.scenario.keys import Change
 from aftdeck.scenario.load import Source, find_scenario
 from aftdeck.schema_check import problems_of
 from aftdeck.study.carried import Carried, carry
 from aftdeck.study.columns import FIXED_COLUMNS, NUMERIC
 from aftdeck.study.factor import Factor, factor_of
-from aftdeck.study.keys import Change, Kind, problem_of
+from aftdeck.study.keys import problem_of
 from aftdeck.study.schema import StudyFile
 
 BUILT_IN = Path(__file__).parent / "builtin"
@@ -191,12 +192,13 @@ def _levels(factors: tuple[Factor, ...]) -> Iterator[tuple[Where, Change]]:
 
 def _level_problems(spec: StudyFile, factors: tuple[Factor, ...], carried: Carried) -> Iterator[Problem]:
     """Yield the changes that the types of the changed files do not allow."""
-    texts: dict[Kind, list[Text]] = {
+    texts: dict[str, list[Text]] = {
         "scenario": [Text(carried.file, carried.text)],
         "arm": [texts.arm for texts in carried.arms.values()],
+        "shapes": [texts.shapes for texts in carried.arms.values() if texts.shapes is not None],
         "worksite": list(carried.worksites.values()),
     }
-    tables: dict[Kind, dict[str, Any]] = {
+    tables: dict[str, dict[str, Any]] = {
         "operator": spec.operator,
         "monitors": msgspec.to_builtins(spec.monitors),
     }

@@ -99,6 +99,7 @@ def frame_of(flight: Flight, state: State, seal: bytes) -> Frame:
         seal.hex(),
         dynamics_of(flight, state),
         motions_of(flight, state.worksite, plant.stand),
+        state.changes,
     )
 
 

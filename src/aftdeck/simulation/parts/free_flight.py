@@ -7,6 +7,9 @@ from math import copysign
 import numpy as np
 
 from aftdeck.arrays import Array
+from aftdeck.bodies.pose import POSE, compose
+from aftdeck.matrices import product
+from aftdeck.simulation.constants.site import Site
 from aftdeck.state_part import StatePart, copied
 from aftdeck.worksite import payload
 from aftdeck.worksite.free_flight import LimitCycle, coast, limit_cycle
@@ -44,6 +47,15 @@ class Floating(StatePart):
         later = copied(self)
         later.move(period)
         return later
+
+
+def at_start(site: Site, k: int) -> Floating:
+    """Return the free flight of payload k at its start."""
+    start, control, pose = site.payloads[k].start, site.payloads[k].limit_cycle, np.empty(POSE)
+    compose(site.scene, site.starts[k], pose)
+    velocity = product(site.scene[3:].reshape(3, 3), start.velocity)
+    rates, angles = (start.rates, None) if control is None else (control.rate, control.start)
+    return floating(pose, velocity, rates, control, angles)
 
 
 def floating(

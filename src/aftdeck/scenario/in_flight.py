@@ -1,0 +1,158 @@
+"""Changes in flight: which keys of a scenario, its arm and its worksite can change while a run lasts, and how.
+
+The report's operator read and changed values by typewriter while the program ran (*Remote Manipulator Simulation*,
+section V.A and TABLE III). Here a change in flight makes a new scenario with the loader of the files
+(`load.in_force`), so that the value is checked as the file is; the run then goes on with the new constants.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from difflib import get_close_matches
+from functools import lru_cache
+
+import msgspec
+
+from aftdeck.errors import InputError
+from aftdeck.files import place
+from aftdeck.scenario.changes import change_text, parse_change, parse_key, value_of
+from aftdeck.scenario.keys import FILES, Key
+
+MOST_CHANGES = 64
+"""Greatest number of changes in one step (assumed)."""
+
+CHANGING: tuple[tuple[str, str], ...] = (
+    ("limits", "limits of joints and of the point of resolution"),
+    ("clearance", "clearances of caution and warning"),
+    ("arrive_within", "end sphere of the automatic modes"),
+    ("arrive_within_angle", "end sphere of the automatic modes"),
+    ("fly_by_within", "tolerance at fly-by points"),
+    ("fly_by_angle", "tolerance at fly-by points"),
+    ("guards", "whether computed modes slow the arm before stops and singularities"),
+    ("docking", "axes that docking compares"),
+    ("telemetry_delay", "delay of values, lamps and log"),
+    ("camera_delay", "delay of the pictures"),
+    ("cameras", "pan, tilt and zoom: the camera takes them at once"),
+    ("cargo[*].start", "place and motion of a free payload: it takes them at once"),
+    ("arm.joint[*].hard", "stops of a joint"),
+    ("arm.joint[*].soft", "stops of a joint"),
+    ("arm.joint[*].reach", "stops of a joint"),
+    ("arm.joint[*].servo", "rates of a joint"),
+    ("arm.joint[*].coarse", "rates of a joint"),
+    ("arm.joint[*].vernier", "rates of a joint"),
+    ("arm.joint[*].acceleration", "rates of a joint"),
+    ("arm.joint[*].least", "limits of telescope and prong"),
+    ("arm.joint[*].greatest", "limits of telescope and prong"),
+    ("arm.joint[*].rate", "rates of telescope and prong"),
+    ("arm.por", "limits of the point of resolution"),
+    ("arm.singular", "threshold of the lamp SINGULAR"),
+    ("arm.servo", "constants of servos and brakes"),
+    ("arm.shapes.camera[*].position", "place of a camera"),
+    ("arm.shapes.camera[*].boresight", "direction of a camera"),
+    ("arm.shapes.camera[*].up", "direction of a camera"),
+    ("arm.shapes.camera[*].zero", "direction of a camera"),
+    ("arm.shapes.camera[*].field_of_view", "field of view of a camera"),
+    ("arm.shapes.drive", "ranges and rates of a camera's drive"),
+    ("worksite.camera[*].position", "place of a camera"),
+    ("worksite.camera[*].boresight", "direction of a camera"),
+    ("worksite.camera[*].up", "direction of a camera"),
+    ("worksite.camera[*].zero", "direction of a camera"),
+    ("worksite.camera[*].field_of_view", "field of view of a camera"),
+    ("worksite.drive", "ranges and rates of a camera's drive"),
+    ("worksite.cargo[*].start", "place and motion of a free payload: it takes them at once"),
+    ("worksite.seat[*].distance", "tolerances of a berth"),
+    ("worksite.seat[*].angle", "tolerances of a berth"),
+    ("worksite.seat[*].time", "time of a berth's latches"),
+    ("worksite.acquisition", "tolerances of capture"),
+    ("worksite.essential[*].depth", "permitted penetration"),
+    ("worksite.translation", "speed of the orbiter's translation"),
+    ("worksite.orbiter.jets", "jets of the orbiter"),
+)
+"""Keys that can change in flight, each with what it is; ``[*]`` stands for any number, and a key for all inside it."""
+
+FIXED: tuple[tuple[str, str], ...] = (
+    ("initial", "is where a run begins, and this run has begun; the panel can re-initialise it"),
+    ("initialise", "is where a run begins; it counts in the next run"),
+    ("phase", "belongs to the script, which is planned before the run"),
+    ("sequence", "is stored before the run; key in a target instead"),
+    ("step", "belongs to the task, which is planned before the run"),
+    ("disturbance", "is planned before the run"),
+    ("event", "is planned before the run"),
+    ("mode", "is a switch of the panel: set it there"),
+    ("rate", "is a switch of the panel: set it there"),
+    ("law", "is a switch of the panel: set it there"),
+    ("position_hold", "is a switch of the panel: set it there"),
+    ("light", "is set with the switches of the lamps"),
+    ("control_period", "is the step of the clock, in which all times of this run are counted"),
+    ("command_delay", "has commands under way, which would be lost or arrive twice"),
+    ("duration", "is the length of the run, by which it is recorded"),
+    ("plant", "selects the equations of motion of this run"),
+    ("dynamics", "selects the equations of motion of this run"),
+    ("seed", "has been used at the start of the run"),
+    ("soft_stops", "selects the laws of this run"),
+    ("strict", "selects the laws of this run"),
+    ("free_contact", "selects the laws of this run"),
+    ("payload", "is a body, whose mass and shape the run was made with"),
+    ("cargo", "is a body, whose mass and shape the run was made with"),
+    ("dimensions", "gives the sizes of bodies, whose pairs are laid out before the run"),
+    ("arm.joint", "is a length or an axis of the arm, for which its state and its laws were made"),
+    ("arm.tip", "is a length of the arm, for which its state and its laws were made"),
+    ("arm.mount", "is the place of the arm's base, from which all poses are measured"),
+    ("arm.end_effector_roll", "is an angle of the arm, for which its state and its laws were made"),
+    ("arm.turning", "is a weight of the arm's laws, which are made before the run"),
+    ("arm.dimensions", "gives the lengths of the arm, for which its state and its laws were made"),
+    ("arm.shapes", "is a shape of the arm, whose pairs are laid out before the run"),
+    ("arm.*", "is a body or a mass of the arm, with which the run was made"),
+    ("worksite.*", "is a body, whose pairs are laid out before the run"),
+    ("arm", "selects the arm that flies this run"),
+    ("worksite", "selects the worksite of this run"),
+)
+"""Keys that cannot change in flight, each with the reason; the first that fits counts."""
+OTHERS = "is a text or a name, which no law reads"
+"""Reason for all other keys that cannot change in flight."""
+
+
+def meaning(key: Key) -> str:
+    """Return what a key that can change in flight is; "" if it cannot change."""
+    return next((what for pattern, what in CHANGING if _fits(key, pattern)), "")
+
+
+def obstacle(key: Key) -> str:
+    """Return why a key cannot change in flight; "" if it can."""
+    if meaning(key):
+        return ""
+    return next((why for pattern, why in FIXED if _fits(key, pattern)), OTHERS)
+
+
+def _fits(key: Key, pattern: str) -> bool:
+    wanted = _parts(pattern)
+    given = (*key.prefix, *key.where)
+    return len(given) >= len(wanted) and all(
+        w in (g, "*") if isinstance(g, str) else w == "*" for g, w in zip(given, wanted, strict=False)
+    )
+
+
+@lru_cache(maxsize=256)
+def _parts(pattern: str) -> tuple[str, ...]:
+    return tuple(pattern.replace("[*]", ".*").split("."))
+
+
+def merged(before: tuple[str, ...], new: Mapping[str, str]) -> tuple[str, ...]:
+    """Return changes in force and new ones, each as KEY=VALUE; a new value replaces that of the same key."""
+    values = dict(map(parse_change, before)) | {parse_key(key): value_of(value) for key, value in new.items()}
+    return tuple(change_text(where, value) for where, value in values.items())
+
+
+def check_key(key: Key) -> None:
+    """Check that a key exists, as far as its first name, and can change in flight.
+
+    Raises:
+        InputError: it does not exist, or cannot change; the message says why.
+    """
+    known = [field.encode_name for field in msgspec.structs.fields(FILES[key.kind])]
+    if (first := key.where[0]) not in known:
+        near = get_close_matches(str(first), known, 1)
+        hint = f"; did you mean {place((*key.prefix, near[0]))}?" if near else f": they begin with {', '.join(known)}"
+        raise InputError(f"{key.text}: no such key{hint}")
+    if why := obstacle(key):
+        raise InputError(f"{key.text} cannot change in flight: it {why}")

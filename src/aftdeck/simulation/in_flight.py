@@ -1,0 +1,183 @@
+"""Changes in flight: constants and state of a run that goes on with changed values (the report's typewriter).
+
+A change makes the scenario anew, with all its checks, and from it the constants of the run. The state is then resumed
+with these constants, as a saved state is, so that nothing keeps an old value.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from typing import NamedTuple
+
+import msgspec
+
+from aftdeck.bodies.cameras import Setting
+from aftdeck.errors import InputError
+from aftdeck.scenario.load import in_force
+from aftdeck.simulation.camera_drives import Views
+from aftdeck.simulation.constants.flight import Flight, run_constants
+from aftdeck.simulation.frame_poses import frames_with_prong_at
+from aftdeck.simulation.operator.panel import make_ready
+from aftdeck.simulation.parts.free_flight import at_start
+from aftdeck.simulation.resume import restore_clearances, resume
+from aftdeck.simulation.state import State
+from aftdeck.state_part import encoded
+from aftdeck.worksite.payload import Payload
+
+_CHANGES = State.__struct_fields__.index("changes")
+_ROUNDING = 1e-9
+"""Distance [rad or m] by which a coordinate may be outside its limits because of rounding."""
+
+
+class Resumed(NamedTuple):
+    """Run that goes on: its constants and its state."""
+
+    flight: Flight
+    state: State
+
+
+def constants_with(base: Flight, changes: tuple[str, ...], *, gauged: bool) -> Flight:
+    """Return the constants of a run with changes in flight.
+
+    Args:
+        base: constants with which the run began.
+        changes: changes in force, each as KEY=VALUE.
+        gauged: whether the plant has gauges.
+
+    Raises:
+        InputError: a change is not possible; the message says why.
+    """
+    scenario = in_force(base.scenario, changes)
+    return base if scenario is base.scenario else run_constants(scenario, gauged=gauged)
+
+
+def changes_in(saved: bytes) -> tuple[str, ...]:
+    """Return the changes in force in an encoded state; none if the bytes are not a state."""
+    try:
+        changes = msgspec.msgpack.decode(saved)[_CHANGES]
+        return msgspec.convert(changes, tuple[str, ...])
+    except (msgspec.MsgspecError, IndexError, TypeError, KeyError, ValueError):
+        return ()
+
+
+def go_on(before: Flight, after: Flight, state: State, changes: tuple[str, ...]) -> State:
+    """Return the state of a run that goes on with other constants.
+
+    Cameras whose first setting has changed, and free payloads whose start has changed, take the new values. A check of
+    CMD CK, which was made with the old constants, begins again.
+
+    Args:
+        before: constants of the run until now.
+        after: its constants from now on.
+        state: the state, which stays unchanged.
+        changes: changes that are then in force.
+
+    Raises:
+        InputError: as for `check_fit`.
+    """
+    check_fit(before, after, state)
+    new = resume(after, encoded(state))
+    new.changes = changes
+    new.views = _views(before, after, new.views)
+    for k in _moved(before, after):
+        _place(after, new, k)
+    if new.panel.sequence != "in progress":
+        make_ready(after.scenario.sequences, new)
+    return new
+
+
+def check_fit(before: Flight, after: Flight, state: State) -> None:
+    """Check that a run can go on from its present state with other constants.
+
+    Raises:
+        InputError: it cannot; the message says why.
+    """
+    if why := next(_misfits(before, after, state), ""):
+        raise InputError(why)
+
+
+def _misfits(before: Flight, after: Flight, state: State) -> Iterator[str]:
+    """Yield the reasons why a state does not fit new constants."""
+    plant, worksite, arm = state.plant, state.worksite, after.scenario.arm.model
+    if before.hard != after.hard:
+        for name, at, (low, high), slides in zip(
+            arm.joints, plant.angles.tolist(), after.hard, arm.slides, strict=True
+        ):
+            yield from _outside(f"the joint {name}", at, low, high, slides=slides)
+    if before.telescope != after.telescope:
+        yield from _outside("the telescope", plant.stand.position, after.telescope.low, after.telescope.high)
+    if before.prong != after.prong:
+        yield from _outside("the prong", worksite.prong.position, after.prong.low, after.prong.high)
+    if before.cameras.names != after.cameras.names:
+        yield "a camera would lose or get its drive, which cannot change in flight"
+        return
+    if before.scenario is not after.scenario:
+        for name, at in zip(after.cameras.names, _views(before, after, state.views), strict=True):
+            if why := after.cameras.misfit(name, at):
+                yield f"camera {name} is set so that it does not fit: {why}"
+    for k in _moved(before, after):
+        title = after.site.payloads[k].title
+        if after.plant.has_contact_forces:
+            yield f"{title} moves by forces alone on the plant {after.scenario.plant!r}; its place cannot be set"
+        elif worksite.floating[k] is None:
+            yield f"{title} is held; its place can be set while nothing holds it"
+        elif after.site.payloads[k].start.berth:
+            yield f"{title} cannot be put into a berth in flight; give a position"
+
+
+def _outside(what: str, at: float, low: float, high: float, *, slides: bool = True) -> Iterator[str]:
+    """Yield a sentence if a coordinate is outside its new limits."""
+    if low - _ROUNDING <= at <= high + _ROUNDING:
+        return
+    factor, unit = (1.0, "m") if slides else (180.0 / math.pi, "deg")
+    yield (
+        f"{what} is at {at * factor:.6g} {unit}, outside the new limits {low * factor:.6g} to {high * factor:.6g} "
+        f"{unit}: move it first"
+    )
+
+
+def _views(before: Flight, after: Flight, views: Views) -> Views:
+    """Return the settings of the cameras' drives; a component whose value at the start has changed takes the new one."""
+    return tuple(
+        Setting(*(new if new != old else now for old, new, now in zip(*settings, strict=True)))
+        for settings in zip(before.cameras.first, after.cameras.first, views, strict=True)
+    )
+
+
+def _moved(before: Flight, after: Flight) -> list[int]:
+    """Return the indices of the payloads whose start has changed."""
+    starts = zip(before.site.payloads, after.site.payloads, strict=True)
+    return [k for k, (old, new) in enumerate(starts) if _start(old) != _start(new)]
+
+
+def _start(payload: Payload) -> tuple[object, ...]:
+    """Return the start of a payload in a form that can be compared."""
+    at = payload.start
+    return at.berth, *(array.tolist() for array in (*at.pose, at.velocity, at.rates))
+
+
+def _place(flight: Flight, state: State, k: int) -> None:
+    """Put a free payload at its start, with its motion at the start."""
+    site, worksite = flight.site, state.worksite
+    worksite.floating[k] = at_start(site, k)
+    worksite.update_carrier(site, k)
+    row = site.payload_rows[k]
+    worksite.frames[row] = frames_with_prong_at(site, worksite, state.plant, worksite.prong.position)[row]
+    worksite.before[row] = worksite.frames[row]
+    restore_clearances(flight, worksite)
+
+
+def resumed(base: Flight, saved: bytes, *, gauged: bool) -> Resumed:
+    """Return the run of an encoded state, with the changes that were in force in it.
+
+    Args:
+        base: constants with which the run began.
+        saved: the encoded state.
+        gauged: whether the plant has gauges.
+
+    Raises:
+        InputError: the bytes are not a state of this run.
+    """
+    flight = constants_with(base, changes_in(saved), gauged=gauged)
+    return Resumed(flight, resume(flight, saved))
