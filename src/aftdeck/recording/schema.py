@@ -68,6 +68,8 @@ def _schema(kind: Any) -> dict[str, Any]:
         return {"type": "array", "items": _schema(get_args(kind)[0])}
     if origin is Literal:
         return {"type": "string", "enum": list(get_args(kind))}
+    if origin is dict:
+        return {"type": "object"}
     if is_object(kind):
         return _object(kind)
     return {"type": _PLAIN[kind]}

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 from pathlib import Path
 
 from aftdeck.arms.masses import check_masses
@@ -49,7 +50,13 @@ WHOLE = 1e-6
 
 
 def build(
-    problems: Problems, spec: ScenarioFile, name: str, text: str, changes: tuple[str, ...], sources: Sources
+    problems: Problems,
+    spec: ScenarioFile,
+    name: str,
+    text: str,
+    changes: tuple[str, ...],
+    sources: Sources,
+    begun: Scenario | None = None,
 ) -> Scenario | None:
     """Return the scenario of a decoded file; None if the file has errors, which are then in `problems`.
 
@@ -60,6 +67,8 @@ def build(
         text: text of the file.
         changes: changes of the text before it was decoded, each as KEY=VALUE.
         sources: origin of the arm and the worksite.
+        begun: scenario with which a run has begun that goes on with this one; its start, targets and task stay, and
+            need not be possible with the new values. None: no run has begun.
     """
     _check_times(problems, spec)
     near, near_turn = _end_sphere(problems, spec)
@@ -75,9 +84,9 @@ def build(
     check_por(problems, spec.limits.por, por_with(arm.model, payload.mass if payload else 0.0, spec.limits.por))
     payloads = present_payloads(problems, worksite, spec.cargo)
     references = TargetReferences(payloads, worksite, spec.strict)
-    initial_state = start(problems, arm, spec.initial, references, ("initial",))
-    part_states = parts(problems, arm, spec.initialise, initial_state, references)
-    sequences = stored_points(problems, arm, spec.sequence)
+    initial_state = begun.start if begun else start(problems, arm, spec.initial, references, ("initial",))
+    part_states = begun.parts if begun else parts(problems, arm, spec.initialise, initial_state, references)
+    sequences = begun.sequences if begun else stored_points(problems, arm, spec.sequence)
     check_mode(problems, mode.position, bool(payload or payloads), sequences, ("mode",))
     if payload and payloads:
         problems.add(("payload",), "is never released: in a scenario with [[cargo]], give initial.grasped instead")
@@ -86,10 +95,17 @@ def build(
             ("mode",), f"{mode.position} moves a payload, but the end effector holds none: give initial.grasped"
         )
     grasp = Grasp(payload, takes_others=bool(payloads))
-    phases = script(problems, arm, spec.phase, grasp, spec.limits.por, sequences, references)
+    of_script = Problems() if begun else problems
+    phases = script(of_script, arm, spec.phase, grasp, spec.limits.por, sequences, references)
+    if begun:
+        for problem in of_script.in_tables("limits"):
+            problems.add(problem.where, problem.what)
+        phases = [
+            replace(old, limits=new.limits if new else None) for new, old in zip(phases, begun.phases, strict=True)
+        ]
     if spec.next is not None and not (BUILT_IN / f"{spec.next}.toml").is_file():
         problems.add(("next",), f"no built-in scenario {spec.next!r}")
-    steps = task_steps(problems, arm, spec.step, references)
+    steps = begun.steps if begun else task_steps(problems, arm, spec.step, references)
     _check_plant(problems, spec, arm, worksite, payloads, grasp.payloads)
     orbiter = spec.dynamics.orbiter or _usual_motion(worksite)
     names = payload_names([one.name for one in payloads], own=bool(grasp.payloads))

@@ -126,22 +126,23 @@ def parse_scenario(text: str, name: str, file: str, folder: Path, changes: Chang
 
 
 def scenario_from(
-    text: str, name: str, file: str, sources: Sources, changes: Changes | None = None, *, planned: bool = True
+    text: str, name: str, file: str, sources: Sources, changes: Changes | None = None, begun: Scenario | None = None
 ) -> Scenario:
     """Build a scenario from text, with an arm and a worksite from `sources`; otherwise like `parse_scenario`.
 
     Changes of the arm's and the worksite's files, ``arm.…`` and ``worksite.…``, are then in the texts of these files;
-    `Scenario.changes` has those of the scenario's own file. `planned`: whether to check the planned changes in flight.
+    `Scenario.changes` has those of the scenario's own file. `begun`: scenario with which a run has begun that goes on
+    with this one.
     """
     source = Text(file, text)
     origin, own = apart(sources, changes or {})
     spec, found = examine(ScenarioFile, source, own, lambda raw: _derived(raw, origin, source))
     problems = Problems(found)
     with interpreted():
-        scenario = None if spec is None else build(problems, spec, name, text, _texts(own), origin)
+        scenario = None if spec is None else build(problems, spec, name, text, _texts(own), origin, begun)
     if scenario is None or problems:
         raise ScenarioError(problems.sentences(file, text))
-    if planned and scenario.planned_changes:
+    if begun is None and scenario.planned_changes:
         _check_planned(scenario, file)
     return scenario
 
@@ -217,7 +218,7 @@ def in_force(scenario: Scenario, changes: tuple[str, ...]) -> Scenario:
             raise InputError(what)
         new[where] = value
     try:
-        return scenario_from(scenario.text, scenario.name, scenario.name, _Texts(scenario), new, planned=False)
+        return scenario_from(scenario.text, scenario.name, f"{scenario.name}.toml", _Texts(scenario), new, scenario)
     except AftdeckError as error:
         raise InputError(str(error)) from None
 

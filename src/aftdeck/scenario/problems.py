@@ -27,6 +27,10 @@ class Problems:
         if not any(_inside(where, known) or _inside(known, where) for known in self._known):
             self._found.append(Problem(where, what))
 
+    def in_tables(self, name: str) -> list[Problem]:
+        """Return the problems inside tables of this name."""
+        return [problem for problem in self._found if name in problem.where]
+
     def sentences(self, file: str, text: str) -> list[str]:
         """Return one sentence per problem, with the number of the problem's line.
 

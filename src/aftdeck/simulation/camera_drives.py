@@ -64,7 +64,7 @@ class Cameras:
                 raise InputError(f"camera.{name}: got {switch}, expected a number in [-1, 1]")
 
     def misfit(self, name: str, at: Setting) -> str:
-        """Return why a camera's drive cannot have a setting; "" if it can. A component that it does not move is free."""
+        """Return why a camera's drive cannot have a setting; "" if it can. What the drive does not move is free."""
         drive = self._driven[self.names.index(name)].drive
         moved = () if drive is None else [part for part in Setting._fields if getattr(drive, part) is not None]
         found = [misfit(drive, part, getattr(at, part)) for part in moved if drive is not None]

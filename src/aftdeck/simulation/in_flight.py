@@ -138,7 +138,7 @@ def _outside(what: str, at: float, low: float, high: float, *, slides: bool = Tr
 
 
 def _views(before: Flight, after: Flight, views: Views) -> Views:
-    """Return the settings of the cameras' drives; a component whose value at the start has changed takes the new one."""
+    """Return the settings of the cameras' drives; an angle whose value at the start has changed takes the new one."""
     return tuple(
         Setting(*(new if new != old else now for old, new, now in zip(*settings, strict=True)))
         for settings in zip(before.cameras.first, after.cameras.first, views, strict=True)

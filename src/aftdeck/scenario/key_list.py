@@ -1,0 +1,241 @@
+"""All keys of a scenario, its arm and its worksite: value, unit, range and source of each.
+
+The list follows the types of the files. It has the keys that the files give and those that they could give in the
+tables that they have.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from functools import cache, lru_cache
+from types import UnionType
+from typing import Annotated, Any, NamedTuple, Union, get_args, get_origin
+
+import msgspec
+
+from aftdeck.arms.constant import Constant
+from aftdeck.bounds import Bounds
+from aftdeck.errors import InputError
+from aftdeck.scenario.all_cameras import cameras_of
+from aftdeck.scenario.changes import as_toml, parse_change
+from aftdeck.scenario.in_flight import meaning, obstacle
+from aftdeck.scenario.keys import ARM, FILES, SCENARIO, SHAPES, Key, contents_of, key_at
+from aftdeck.scenario.load import text_of
+from aftdeck.scenario.model import Scenario
+from aftdeck.units import Quantity
+
+NOT_GIVEN = msgspec.UNSET
+"""Value of a key that the files do not give."""
+_DEPTH = 2
+"""Greatest depth of tables that a file does not give."""
+
+
+class Entry(NamedTuple):
+    """A key with its value.
+
+    Attributes:
+        key: the key.
+        value: value as in the file, such as ``"2 ft/s"``; `NOT_GIVEN` if no file gives it.
+        default: value without it; `NOT_GIVEN` if the type says none.
+        unit: SI unit of its numbers; empty for none.
+        bounds: plausible range of its numbers; None if there is none.
+        source: source of the value; empty if the file does not state it.
+    """
+
+    key: Key
+    value: Any
+    default: Any
+    unit: str
+    bounds: Bounds | None
+    source: str
+
+    @property
+    def text(self) -> str:
+        """The key as it is written."""
+        return self.key.text
+
+    @property
+    def changes(self) -> bool:
+        """Whether the value can change in flight."""
+        return bool(meaning(self.key))
+
+    def sentence(self) -> str:
+        """Return the value with its unit, range and source, and whether it can change in flight, as a sentence each."""
+        given = self.value is not NOT_GIVEN
+        value = self.value if given else self.default
+        parts = [f"{self.text} = {as_toml(value)}" if value is not NOT_GIVEN and value is not None else self.text]
+        if not given:
+            parts.append("not given" if value is NOT_GIVEN or value is None else "not given: the usual value")
+        if self.unit:
+            parts.append(f"a number alone is in {self.unit}")
+        if self.bounds is not None:
+            parts.append(f"range {self.bounds.least:.6g} to {self.bounds.greatest:.6g} {self.unit}".rstrip())
+        if self.source:
+            parts.append(f"source: {self.source}")
+        why = obstacle(self.key)
+        parts.append(f"cannot change in flight: it {why}" if why else f"can change in flight: {meaning(self.key)}")
+        return "; ".join(parts)
+
+
+def key_list(scenario: Scenario, changes: tuple[str, ...] = ()) -> dict[str, Entry]:
+    """Return all keys of a scenario by their texts.
+
+    Args:
+        scenario: the scenario with which the run began.
+        changes: changes in force, each as KEY=VALUE; their values replace those of the files.
+    """
+    found = dict(_of_files(scenario))
+    for where, value in map(parse_change, (*scenario.changes, *changes)):
+        key = key_at(where)
+        before = found.get(key.text) or Entry(key, NOT_GIVEN, NOT_GIVEN, "", None, "")
+        found[key.text] = before._replace(value=value, source="changed")
+    return found
+
+
+@lru_cache(maxsize=4)
+def _of_files(scenario: Scenario) -> dict[str, Entry]:
+    """Return all keys of a scenario with the values that its files give."""
+    found: dict[str, Entry] = {}
+    for kind, struct in FILES.items():
+        if kind == SHAPES and scenario.arm.model.shapes is None:
+            continue
+        raw = contents_of(text_of(scenario, kind))
+        for entry in _table(Key(kind, ()), struct, raw, _sources(kind, raw), 0):
+            found[entry.text] = entry
+    for camera in cameras_of(scenario):
+        for part in ("pan", "tilt", "zoom"):
+            if camera.drive is not None and getattr(camera.drive, part) is not None:
+                key = Key(SCENARIO, ("cameras", camera.name, part))
+                found.setdefault(key.text, Entry(key, NOT_GIVEN, NOT_GIVEN, "rad", None, ""))
+    return found
+
+
+def entry_of(scenario: Scenario, text: str, changes: tuple[str, ...] = ()) -> tuple[Entry, ...]:
+    """Return the entry of a key, or those of all keys inside it.
+
+    Raises:
+        InputError: there is no such key.
+    """
+    entries = key_list(scenario, changes)
+    if text in entries:
+        return (entries[text],)
+    inside = tuple(entry for name, entry in entries.items() if name.startswith((f"{text}.", f"{text}[")))
+    if not inside:
+        near = _nearest(text, entries)
+        raise InputError(f"no key {text!r}" + (f"; did you mean {near}?" if near else ""))
+    return inside
+
+
+def _nearest(text: str, entries: dict[str, Entry]) -> str:
+    """Return the key that is most like a text: one with the same last name, or with the longest equal beginning."""
+    last = text.rsplit(".", 1)[-1]
+    same = [name for name in entries if name.rsplit(".", 1)[-1] == last and len(last) > 1]
+    if same:
+        return same[0]
+    for length in range(len(text), 1, -1):
+        if found := next((name for name in entries if name.startswith(text[:length])), ""):
+            return found
+    return ""
+
+
+def _sources(kind: str, raw: dict[str, Any]) -> dict[str, str]:
+    """Return the sources of quantities that an arm's file states once for all joints, by the quantity's name."""
+    table = raw.get("sources", {}) if kind == ARM else {}
+    return {name: one["source"] for name, one in table.items() if isinstance(one, dict) and "source" in one}
+
+
+def _table(key: Key, kind: Any, raw: Any, sources: dict[str, str], depth: int, source: str = "") -> Iterator[Entry]:
+    """Yield the entries of a table; `raw`: its contents, `NOT_GIVEN` if the file does not give it."""
+    contents = raw if isinstance(raw, dict) else {}
+    source = _text(contents.get("source")) or source
+    struct = get_origin(kind) or kind
+    for field in _fields(kind):
+        name = field.encode_name
+        default = field.default
+        if field.default_factory is not msgspec.NODEFAULT or default is msgspec.NODEFAULT:
+            default = NOT_GIVEN
+        inner = Key(key.kind, (*key.where, name))
+        said = source if issubclass(struct, Constant) else sources.get(name, source)
+        yield from _value(inner, field.type, contents.get(name, NOT_GIVEN), default, sources, depth, said)
+
+
+@cache
+def _fields(kind: Any) -> tuple[msgspec.structs.FieldInfo, ...]:
+    return msgspec.structs.fields(kind)
+
+
+def _value(
+    key: Key, hint: Any, raw: Any, default: Any, sources: dict[str, str], depth: int, source: str
+) -> Iterator[Entry]:
+    """Yield the entries of a field: its own, or those of the tables in it."""
+    kind, bounds = _plain(hint)
+    struct = _struct(kind, raw)
+    if struct is not None:
+        if raw is not NOT_GIVEN or depth < _DEPTH:
+            yield from _table(key, struct, raw, sources, depth + (raw is NOT_GIVEN), source)
+        return
+    arguments = get_args(kind)
+    if get_origin(kind) is tuple and arguments[1:] == (Ellipsis,):
+        item = _plain(arguments[0])[0]
+        if isinstance(raw, list) and any(_struct(item, one) is not None for one in raw):
+            for i, one in enumerate(raw):
+                inner = Key(key.kind, (*key.where, i))
+                yield from _value(inner, arguments[0], one, NOT_GIVEN, sources, depth, source)
+            return
+        if _struct(item, NOT_GIVEN) is not None or _is_union(item):
+            return  # a list of tables that the file does not give
+    if get_origin(kind) is dict and isinstance(raw, dict):
+        for name, one in raw.items():
+            inner = Key(key.kind, (*key.where, name))
+            yield from _value(inner, arguments[1], one, NOT_GIVEN, sources, depth, source)
+        return
+    if get_origin(kind) is not dict:
+        leaf, bounds = _leaf(kind, bounds)
+        is_quantity = isinstance(leaf, type) and issubclass(leaf, Quantity)
+        unit = leaf.unit if is_quantity else bounds.unit if bounds else ""
+        yield Entry(key, raw, default, unit, bounds or (leaf.bounds if is_quantity else None), source)
+
+
+@cache
+def _plain(hint: Any) -> tuple[Any, Bounds | None]:
+    """Return a type without None and without metadata, and the range that it declares."""
+    bounds: Bounds | None = None
+    while True:
+        if get_origin(hint) is Annotated:
+            hint, *metas = get_args(hint)
+            bounds = next((meta for meta in metas if isinstance(meta, Bounds)), bounds)
+        elif _is_union(hint) and type(None) in get_args(hint):
+            rest = tuple(one for one in get_args(hint) if one is not type(None))
+            hint = rest[0] if len(rest) == 1 else Union[rest]  # noqa: UP007  (a union of a computed number of types)
+        else:
+            return hint, bounds
+
+
+def _is_union(hint: Any) -> bool:
+    return get_origin(hint) in (Union, UnionType)
+
+
+def _struct(kind: Any, raw: Any) -> Any:
+    """Return the type of a table; None if the type is not that of a table, or its tag is not given."""
+    origin = get_origin(kind) or kind
+    if isinstance(origin, type) and issubclass(origin, msgspec.Struct):
+        return kind
+    if _is_union(kind) and isinstance(raw, dict):
+        for one in get_args(kind):
+            if isinstance(one, type) and issubclass(one, msgspec.Struct):
+                config = one.__struct_config__
+                if config.tag is not None and raw.get(config.tag_field) == config.tag:
+                    return one
+    return None
+
+
+def _leaf(kind: Any, bounds: Bounds | None) -> tuple[Any, Bounds | None]:
+    """Return the type of the numbers of a value, and their range."""
+    while get_args(kind):
+        kind, own = _plain(get_args(kind)[0])
+        bounds = own or bounds
+    return kind, bounds
+
+
+def _text(value: object) -> str:
+    return value if isinstance(value, str) else ""
