@@ -1,1 +1,1 @@
-"""Formats of RMS-VS: the operator's input channels (TABLE I), and the words for the scene generator (TABLE II)."""
+"""Formats of RMS-VS: input channels (TABLE I), words for the scene generator (TABLE II) and the typewriter's (III)."""

@@ -24,8 +24,9 @@ def input_record(tick: int, inputs: Inputs | None) -> Input:
 
 
 def inputs_of(record: Input) -> Inputs | None:
-    """Return the exact inputs of a recorded step; None for a scripted step."""
-    return None if record.script else Inputs(*[getattr(record, name) for name in Inputs.__struct_fields__])
+    """Return the exact inputs of a recorded step; None for a scripted step without changes in flight."""
+    scripted = record.script and not record.changes
+    return None if scripted else Inputs(*[getattr(record, name) for name in Inputs.__struct_fields__])
 
 
 def frame_record(frame: Frame, wall_s: float, latency_ms: float | None) -> FrameRecord:

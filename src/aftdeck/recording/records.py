@@ -71,7 +71,6 @@ class Input(Inputs, Message, frozen=True, omit_defaults=True, kw_only=True):
     """Exact inputs of one step. A stick without a value is centred; a switch without a value is unchanged."""
 
     tick: Annotated[int, field_meta("number of the step in which the inputs acted")]
-    script: Annotated[bool, field_meta("whether the scenario's script supplied the inputs")] = False
 
 
 class FrameRecord(Frame, Message, frozen=True, kw_only=True):

@@ -60,5 +60,6 @@ def merged(since: Sequence[Input], before: Input, tick: int) -> Input:
     stopped = max((i for i, record in enumerate(since) if record.stop), default=0)
     changes["stop"] = any(record.stop for record in since)
     changes["proceed"] = any(record.proceed for record in since[stopped:])  # STOP acts before PROCEED in a step
+    changes["changes"] = {key: value for record in since for key, value in record.changes.items()}
     changes["rate_hold"] = sum(record.rate_hold for record in since) % 2 == 1
     return msgspec.structs.replace(latest, tick=tick, **changes)

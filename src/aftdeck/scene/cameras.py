@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from functools import lru_cache
 from typing import NamedTuple
 
 import numpy as np
@@ -12,6 +13,7 @@ from aftdeck.errors import InputError
 from aftdeck.frames import rotation_of
 from aftdeck.matrices import product
 from aftdeck.scenario.all_cameras import cameras_of
+from aftdeck.scenario.load import in_force
 from aftdeck.scenario.model import Scenario
 from aftdeck.scene.bodies import bodies_of
 from aftdeck.scene.everything import ScenePoses
@@ -42,6 +44,7 @@ class SceneCameras:
     """
 
     def __init__(self, scenario: Scenario) -> None:
+        self._scenario = scenario
         self.cameras = {camera.name: camera for camera in cameras_of(scenario)}
         self.poses = ScenePoses(scenario)
         self._bodies = [body.name for body in bodies_of(scenario)]
@@ -74,12 +77,20 @@ class SceneCameras:
             InputError: there is no such camera.
         """
         camera = self.camera(name)
+        if frame.changes:
+            camera = _cameras_in_force(self._scenario, frame.changes)[name]
         at = view(camera, frame.views[self._driven.index(name)] if name in self._driven else setting(camera))
         body = bodies[camera.body]
         rotation = np.array(turn(body))
         ahead, up = product(rotation, np.array(at.boresight)), product(rotation, np.array(at.up))
         position = product(rotation, np.array(at.position)) + body[:3]
         return Seen(position, np.array([np.cross(ahead, up), -up, ahead]), at)
+
+
+@lru_cache(maxsize=16)
+def _cameras_in_force(scenario: Scenario, changes: tuple[str, ...]) -> dict[str, Camera]:
+    """Return the cameras of a scenario with changes in flight, by name."""
+    return {camera.name: camera for camera in cameras_of(in_force(scenario, changes))}
 
 
 def turn(seven: Array) -> Rows:

@@ -87,6 +87,8 @@ class Inputs(msgspec.Struct, frozen=True):
     changes: dict[str, str] = {}
     """Changes in flight: a value, as TOML or plain text, for each key of the scenario, ``arm.…`` or ``worksite.…``.
     They act from this step on. The command delay does not delay them. `scenario.in_flight` checks them."""
+    script: bool = False
+    """Whether the scenario's script supplies all inputs except the changes, as with None in place of the inputs."""
 
     def check(self, arm: Arm) -> None:
         """Check that hand controllers and switches can produce these inputs, which have plain values.
@@ -98,6 +100,8 @@ class Inputs(msgspec.Struct, frozen=True):
                 does not exist, a text is not printable, an angle or a position is not plausible, or the target's joint
                 angles put the tip of `arm` at another pose. The message begins with the name of the field.
         """
+        if self.script and self != Inputs(changes=self.changes, script=True):
+            raise InputError("script: the script supplies all inputs; only changes can be given with it")
         sticks = (*self.translation, *self.rotation, *self.orbiter, self.drive, self.telescope)
         if not all([-1.0 <= deflection <= 1.0 for deflection in sticks]):
             name = next(name for name in STICKS if not _within_travel(getattr(self, name)))

@@ -179,13 +179,16 @@ class Simulation:
             self.prepare(plain.changes)
         return plain
 
-    def prepare(self, changes: Mapping[str, str]) -> None:
+    def prepare(self, changes: Mapping[str, str]) -> Scenario:
         """Prepare changes in flight, so that the step in which they act takes milliseconds and not tenths of a second.
 
         A thread of its own may call this while another one steps.
 
         Args:
             changes: values by their keys, as in `Inputs.changes`.
+
+        Returns:
+            The scenario that will then be in force.
 
         Raises:
             InputError: a change is not possible now.
@@ -195,7 +198,9 @@ class Simulation:
             if len(self._ready) >= MOST_READY:
                 self._ready.clear()
             self._ready[after] = constants_with(self._base, after, gauged=self._gauged)
-        check_fit(self._flight, self._ready[after], self._state)
+        flight = self._ready[after]
+        check_fit(self._flight, flight, self._state)
+        return flight.scenario
 
     def _change(self, changes: Mapping[str, str]) -> list[Event]:
         """Change values in flight, and return the lines about it for the log of the next step."""

@@ -21,7 +21,8 @@ def step(flight: Flight, state: State, inputs: Inputs | None) -> Inputs:
     Args:
         flight: constants of the run.
         state: everything that the step depends on; changed in place.
-        inputs: the operator's sticks and switches; if None, the scenario's script supplies them.
+        inputs: the operator's sticks and switches; if None, the scenario's script supplies them. Changes in flight are
+            in `flight` already.
 
     Returns:
         The inputs that acted: the script's, or the operator's after the command delay.
@@ -34,8 +35,8 @@ def step(flight: Flight, state: State, inputs: Inputs | None) -> Inputs:
     state.measure()
 
     # inputs of the script, or of the operator after the command delay
-    state.by_script, state.phase = inputs is None, ""
-    if inputs is None:
+    state.by_script, state.phase = inputs is None or inputs.script, ""
+    if inputs is None or inputs.script:
         inputs = play(flight, state)
         state.phase = phase_name(flight.scenario.phases, state.script)
     else:

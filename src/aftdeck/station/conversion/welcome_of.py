@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from functools import lru_cache
+
 from aftdeck.arrays import Array
 from aftdeck.details.details_of import details_of
 from aftdeck.scenario.all_cameras import cameras_of
@@ -12,6 +14,7 @@ from aftdeck.scene.bodies import bodies_of
 from aftdeck.simulation.operator.master import AXES, axes_of
 from aftdeck.station.conversion.payload_table import payload_table, stored_sequences
 from aftdeck.station.messages import kinds
+from aftdeck.station.messages.to_page import Changed
 from aftdeck.station.messages.welcome import (
     BodyInfo,
     FlexureInfo,
@@ -31,12 +34,52 @@ from aftdeck.version import __version__
 
 def welcome_of(scenario: Scenario, *, demo: bool) -> Welcome:
     """Return the welcome message; `demo` is True if the session begins with the scenario's script."""
-    model = scenario.arm.model
-    servo = None if scenario.plant == "kinematic" else model.servo
+    model, now = scenario.arm.model, changed_of(scenario)
     bodies = tuple(
         BodyInfo(body.name, body.shapes, details)
         for body, details in zip(bodies_of(scenario), details_of(scenario), strict=True)
     )
+    modes = tuple(
+        ModeInfo(m.position, m.laws, m.title, m.kind, m.point, _has_points(scenario, m), m.axes, m.axis_names)
+        for m in MODES.values()
+    )
+    return Welcome(
+        protocol=kinds.PROTOCOL,
+        version=__version__,
+        scenario=scenario.name,
+        title=scenario.title,
+        text=scenario.description,
+        arm=model.title,
+        plant=scenario.plant,
+        control_period_s=scenario.control_period,
+        command_delay_s=scenario.delay * scenario.control_period,
+        telemetry_delay_s=now.telemetry_delay_s,
+        camera_delay_s=now.camera_delay_s,
+        units=model.units,
+        joints=now.joints,
+        modes=modes,
+        work=now.work,
+        conditions=conditions(),
+        lamps=scenario.lamps,
+        bodies=bodies,
+        flexures=_flexures(scenario),
+        ghost=_ghost(scenario, len(bodies)),
+        cameras=now.cameras,
+        payloads=now.payloads,
+        sequences=stored_sequences(scenario),
+        singularities=model.singularities,
+        singular=now.singular,
+        steps=tuple(_step(step) for step in scenario.steps),
+        next=scenario.next,
+        phases=tuple(phase.name for phase in scenario.phases) if demo else (),
+    )
+
+
+@lru_cache(maxsize=8)
+def changed_of(scenario: Scenario) -> Changed:
+    """Return the fields of the welcome that changes in flight can change; `scenario`: with the changes in force."""
+    model = scenario.arm.model
+    servo = None if scenario.plant == "kinematic" else model.servo
     joints = tuple(
         JointInfo(
             name,
@@ -54,39 +97,14 @@ def welcome_of(scenario: Scenario, *, demo: bool) -> Welcome:
         )
         for i, (name, label, axis) in enumerate(zip(model.joints, model.labels, axes_of(model), strict=True))
     )
-    modes = tuple(
-        ModeInfo(m.position, m.laws, m.title, m.kind, m.point, _has_points(scenario, m), m.axes, m.axis_names)
-        for m in MODES.values()
-    )
-    return Welcome(
-        protocol=kinds.PROTOCOL,
-        version=__version__,
-        scenario=scenario.name,
-        title=scenario.title,
-        text=scenario.description,
-        arm=model.title,
-        plant=scenario.plant,
-        control_period_s=scenario.control_period,
-        command_delay_s=scenario.delay * scenario.control_period,
+    return Changed(
+        joints=joints,
+        cameras=cameras_of(scenario),
+        work=_work(scenario),
+        payloads=payload_table(scenario),
+        singular=model.singular,
         telemetry_delay_s=scenario.telemetry_delay,
         camera_delay_s=scenario.camera_delay,
-        units=model.units,
-        joints=joints,
-        modes=modes,
-        work=_work(scenario),
-        conditions=conditions(),
-        lamps=scenario.lamps,
-        bodies=bodies,
-        flexures=_flexures(scenario),
-        ghost=_ghost(scenario, len(bodies)),
-        cameras=cameras_of(scenario),
-        payloads=payload_table(scenario),
-        sequences=stored_sequences(scenario),
-        singularities=model.singularities,
-        singular=model.singular,
-        steps=tuple(_step(step) for step in scenario.steps),
-        next=scenario.next,
-        phases=tuple(phase.name for phase in scenario.phases) if demo else (),
     )
 
 

@@ -18,6 +18,7 @@ class Asked(NamedTuple):
         monitors: cameras on its monitors.
         lighting: lighting that it has set.
         announced: who has announced a clearance problem; empty if nobody has.
+        changes: changes in flight, typed on the console.
     """
 
     page: Taken
@@ -25,3 +26,4 @@ class Asked(NamedTuple):
     monitors: tuple[kinds.Monitor, ...]
     lighting: Lighting
     announced: str
+    changes: dict[str, str]

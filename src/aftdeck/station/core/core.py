@@ -8,24 +8,27 @@ the pages, and sends them what is new: a server with threads and WebSockets (`se
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from contextlib import suppress
 from typing import Protocol
 
 import msgspec
 
+from aftdeck.errors import InputError
 from aftdeck.recording.content import Ended
 from aftdeck.recording.delays import Delays
 from aftdeck.report.lamps import StandingLamps, lit_lamps
 from aftdeck.report.metrics.announcements import ANNOUNCED
 from aftdeck.scenario.model import Scenario
-from aftdeck.simulation.frame import Event, Level
+from aftdeck.simulation.frame import Event, Frame, Level
 from aftdeck.simulation.inputs import Inputs
 from aftdeck.simulation.run import Simulation
 from aftdeck.station.conversion.frame_of import Displays
-from aftdeck.station.conversion.welcome_of import welcome_of
+from aftdeck.station.conversion.welcome_of import changed_of, welcome_of
+from aftdeck.station.core import typewriter
 from aftdeck.station.core.asked import Asked
 from aftdeck.station.core.autopilot import SCRIPT, Autopilots, Engaged
 from aftdeck.station.core.commands import inputs_of, travel
-from aftdeck.station.core.desk import Answer, Desk, Page
+from aftdeck.station.core.desk import NOT_IN_CONTROL, Answer, Desk, Page
 from aftdeck.station.core.light import Lights
 from aftdeck.station.core.log import Log
 from aftdeck.station.core.look import Look
@@ -38,7 +41,7 @@ from aftdeck.station.core.roles import ControlRoles
 from aftdeck.station.core.step import PUNCTUAL, Begun, Delay, Observer, Step
 from aftdeck.station.core.task_run import TaskRun
 from aftdeck.station.core.unattended import safe_inputs
-from aftdeck.station.messages import from_page
+from aftdeck.station.messages import from_page, to_page
 
 LOOK_S = 5.0
 """Time span of the look-ahead at the start of a session [s]; a page can set another one."""
@@ -74,6 +77,7 @@ class Core:
         recent: the last minutes of the present run.
         log: events of all runs of the session.
         newest: newest frame, encoded as JSON; empty before the first step.
+        changed: what changes in flight have changed in the welcome, encoded as JSON; empty before the first change.
         observers: further observers, which see each step last.
     """
 
@@ -112,10 +116,12 @@ class Core:
             self.welcome, scenario.delay, scenario.lighting, clock, ControlRoles(clock) if roles is None else roles
         )
         self.log = Log()
-        self.newest = b""
+        self.newest = self.changed = b""
         self._look_s = LOOK_S
         self._cancelled_until = 0.0
         self._notes: list[Event] = []
+        self._changes: tuple[str, ...] = ()
+        self._frame: Frame | None = None
         self._under_way: Begun | None = None
         self._engaged: Engaged | None = None
         self._reset()
@@ -170,7 +176,42 @@ class Core:
 
     def receive(self, page: Page, message: from_page.FromPage) -> tuple[Answer, ...]:
         """Take a message of a page, and return the answers to it."""
-        return self.desk.receive(page, message)
+        match message:
+            case from_page.TypeLine():
+                typed = self.type_line(message.line, message.seq, may_set=page == self.desk.roles.operator)
+                return (Answer(page, typed),)
+            case from_page.CompleteLine():
+                words = typewriter.completions(message.line, self._now())
+                return (Answer(page, to_page.Completed(message.seq, words)),)
+            case _:
+                return self.desk.receive(page, message)
+
+    def type_line(self, line: str, seq: int = -1, *, may_set: bool = True) -> to_page.Typed:
+        """Do what a line on the console asks for, and return its answer; `may_set`: whether it may change values."""
+        try:
+            answer = typewriter.reply(line, self._now())
+            if answer.changes and not may_set:
+                raise InputError(NOT_IN_CONTROL)
+            if answer.changes:
+                self._sim.prepare(self.desk.changes | answer.changes)
+                self.desk.changes |= answer.changes
+        except InputError as error:
+            return to_page.Typed(seq, tuple(str(error).splitlines()), refused=True)
+        done = tuple(f"{key} = {value}" for key, value in answer.changes.items())
+        return to_page.Typed(seq, (*answer.lines, *done), refused=False)
+
+    def prepare(self, line: str) -> None:
+        """Do the work for a line on the console that takes long and changes nothing, so that `receive` is quick.
+
+        A host with threads calls this before `receive`, while another thread steps the session.
+        """
+        with suppress(InputError):
+            if changes := typewriter.reply(line, self._now()).changes:
+                changed_of(self._sim.prepare(self.desk.changes | changes))
+
+    def _now(self) -> typewriter.Now:
+        frame = self._frame
+        return typewriter.Now(self.scenario, self._sim.in_force, frame, frame.changes if frame else ())
 
     def take(self) -> Asked:
         """Return what the pages ask for in the next step."""
@@ -194,6 +235,8 @@ class Core:
             cause = cause or taken.command.cause
         command = self._for_simulation(begun, taken.command)
         inputs, flown = self._inputs(begun, taken, cause, command)
+        if asked.changes and self._are_possible(begun, asked.changes):
+            inputs = msgspec.structs.replace(inputs or Inputs(script=True), changes=asked.changes)
         frame = self._sim.step(inputs)
         step = Step(
             *msgspec.structs.astuple(begun),
@@ -220,11 +263,23 @@ class Core:
             autopilot=step.autopilot,
         )
         self.newest = _encoder.encode(shown)
+        self._frame = frame
+        if frame.changes != self._changes:
+            self._changes, self.changed = frame.changes, _encoder.encode(changed_of(self._sim.in_force))
         for observer in (self._recording, self.recent, self.log, *self.observers):
             if observer is not None:
                 observer.see(step)
         self._under_way = None
         return step
+
+    def _are_possible(self, begun: Begun, changes: dict[str, str]) -> bool:
+        """Return whether changes in flight are possible now; if not, because the arm has moved since, note why."""
+        try:
+            self._sim.prepare(changes)
+        except InputError as error:
+            begun.note("change", f"refused: {error}", "caution")
+            return False
+        return True
 
     def _begun(self, late: Delay | None = None) -> Begun:
         """Return the step that begins, with the lines that wait for it; `late`: its delay, if it is to be recorded."""

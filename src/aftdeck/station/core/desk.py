@@ -27,7 +27,7 @@ class Answer(NamedTuple):
     """Answer of a session to a page."""
 
     page: Page
-    message: to_page.Refused
+    message: to_page.Answers
 
 
 class Desk:
@@ -36,6 +36,7 @@ class Desk:
     Attributes:
         roles: pages that can take control, and the page in control.
         autopilot: what flies in place of the operator; None: the operator flies.
+        changes: changes in flight for the next step.
     """
 
     def __init__(
@@ -58,6 +59,7 @@ class Desk:
         self._latency_ms: float | None = None
         self._monitors: tuple[kinds.Monitor, ...] = ()
         self._announced = ""
+        self.changes: dict[str, str] = {}
         self._numbers: dict[Page, int] = {}
 
     def join(self, page: Page, *, may_fly: bool = True) -> None:
@@ -183,6 +185,7 @@ class Desk:
         """Return what is asked for in the next control step; `rate_held`: whether RATE HOLD keeps a rate."""
         taken = self._inputs.take(self._clock(), rate_held=rate_held)
         if isinstance(taken.command, from_page.Restart):
-            self._lighting = self._first_lighting
+            self._lighting, self.changes = self._first_lighting, {}
+        changes, self.changes = self.changes, {}
         announced, self._announced = self._announced, ""
-        return Asked(taken, self._latency_ms, self._monitors, self._lighting, announced)
+        return Asked(taken, self._latency_ms, self._monitors, self._lighting, announced, changes)

@@ -74,7 +74,7 @@ class DirectPage:
     def __init__(self, core: Core, *, may_fly: bool, strips: bool) -> None:
         self._core = core
         self._news = News(self, may_fly=may_fly, strips=strips)
-        self.answers: deque[to_page.Refused] = deque()
+        self.answers: deque[to_page.Answers] = deque()
 
     def send(self, message: from_page.FromPage) -> None:
         """Send a message to the session."""

@@ -35,6 +35,7 @@ class News:
 
     def _begin(self, core: Core | None) -> None:
         self._core, self._lines, self._sent = core, 0, b""
+        self._changed = b""
 
     def of(self, core: Core) -> Iterator[bytes]:
         """Yield what is new, each message encoded as JSON."""
@@ -43,10 +44,13 @@ class News:
         yield from self.run(core)
 
     def welcome(self, core: Core) -> Iterator[bytes]:
-        """Yield the welcome, if the page has not received that of this core."""
+        """Yield the welcome, if the page has not received that of this core, and what has changed in it in flight."""
         if core is not self._core:
             self._begin(core)
             yield _encode(core.welcome)
+        if core.changed is not self._changed:
+            self._changed = core.changed
+            yield core.changed
 
     def role(self, core: Core) -> Iterator[bytes]:
         """Yield the page's role, if it is new."""

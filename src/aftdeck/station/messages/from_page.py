@@ -404,6 +404,20 @@ class Controllers(WireMessage, frozen=True, tag="controllers"):
     controllers: Annotated[tuple[ControllerInUse, ...], msgspec.Meta(max_length=5)]
 
 
+class TypeLine(WireMessage, frozen=True, tag="type_line"):
+    """Type a line on the console, the report's typewriter: `Typed` answers it."""
+
+    seq: Seq
+    line: Annotated[str, msgspec.Meta(max_length=2000)]
+
+
+class CompleteLine(WireMessage, frozen=True, tag="complete_line"):
+    """Ask how the last word of a line on the console can go on: `Completed` answers it."""
+
+    seq: Seq
+    line: Annotated[str, msgspec.Meta(max_length=2000)]
+
+
 FromPage = (
     Sticks
     | Drawn
@@ -443,4 +457,6 @@ FromPage = (
     | PressLatch
     | SetMaster
     | Initialise
+    | TypeLine
+    | CompleteLine
 )

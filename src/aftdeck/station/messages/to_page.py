@@ -4,12 +4,13 @@ from __future__ import annotations
 
 import msgspec
 
+from aftdeck.bodies.cameras import Camera
 from aftdeck.report.curves import Lane, Strip
 from aftdeck.scenario.schema import ScenarioGroup
 from aftdeck.simulation.frame import Event
 from aftdeck.station.messages.frame import Frame
 from aftdeck.station.messages.kinds import WaitsFor, WireMessage
-from aftdeck.station.messages.welcome import Welcome
+from aftdeck.station.messages.welcome import JointInfo, PayloadInfo, Welcome, WorkInfo
 
 
 class ScenarioInfo(msgspec.Struct, frozen=True):
@@ -158,4 +159,51 @@ class Polygons(WireMessage, frozen=True, tag="polygons"):
     """Part of the preparation of the first picture that is done, 0 to 1; null if none is in progress."""
 
 
-FromServer = Preparing | Welcome | Scenarios | Role | Frame | Polygons | Events | Recent | Readiness | Refused
+class Typed(WireMessage, frozen=True, tag="typed"):
+    """Answer of the console to a line."""
+
+    seq: int
+    """`seq` of the line."""
+    lines: tuple[str, ...]
+    refused: bool
+    """Whether the line was not understood, or its change was refused; the lines say why."""
+
+
+class Completed(WireMessage, frozen=True, tag="completed"):
+    """Words with which the last word of a line on the console can go on."""
+
+    seq: int
+    """`seq` of the request."""
+    words: tuple[str, ...]
+    """The words, whole; at most 40."""
+
+
+class Changed(WireMessage, frozen=True, tag="changed"):
+    """New values of fields of the welcome, after a change in flight or a restart; all other fields stay the same."""
+
+    joints: tuple[JointInfo, ...]
+    cameras: tuple[Camera, ...]
+    work: WorkInfo
+    payloads: tuple[PayloadInfo, ...]
+    singular: float
+    telemetry_delay_s: float
+    camera_delay_s: float
+
+
+Answers = Typed | Completed | Refused
+"""Answers to a message of a page."""
+FromServer = (
+    Preparing
+    | Welcome
+    | Changed
+    | Scenarios
+    | Role
+    | Frame
+    | Polygons
+    | Events
+    | Recent
+    | Readiness
+    | Typed
+    | Completed
+    | Refused
+)

@@ -55,10 +55,16 @@ _ACCEPTED_DURING_CHANGE = (
 
 _ABOUT_ROLES = from_page.AskSticks | from_page.SetName | from_page.LeaveSeat | from_page.TakeSeat
 _ABOUT_CONTROL = from_page.AskSticks | from_page.SetName | from_page.GiveSticks | from_page.KeepSticks
-_OF_EVERY_PAGE = from_page.AskSticks | from_page.SetName | from_page.Announce
+_OF_CONSOLE = from_page.TypeLine | from_page.CompleteLine
+_OF_EVERY_PAGE = from_page.AskSticks | from_page.SetName | from_page.Announce | _OF_CONSOLE
 """Messages whose rejection does not count towards `MAX_REJECTIONS`."""
 TOO_OFTEN = f"at most {ROLES_PER_SECOND:g} request for the sticks or new name a second is allowed; wait a moment"
 """Reason for rejecting a message about roles."""
+
+LINES_PER_SECOND, LINES_AT_ONCE = 10.0, 40
+"""Rate of the lines that a page may type on the console or have completed [1/s], and their number at once."""
+TOO_MANY_LINES = f"at most {LINES_PER_SECOND:g} lines a second can be typed; wait a moment"
+"""Reason for rejecting a line of the console."""
 
 _encoder = msgspec.json.Encoder()
 _hello = msgspec.json.Decoder(from_page.Hello)
@@ -122,8 +128,9 @@ class Page:
         self.seq = -1
         self.rejections = 0
         self.why_closed = ""
-        self.answers: deque[to_page.Refused] = deque()
+        self.answers: deque[to_page.Answers] = deque()
         self._may_be_rejected = Allowance(REJECTIONS_PER_SECOND, REJECTIONS_AT_ONCE)
+        self._may_type = Allowance(LINES_PER_SECOND, LINES_AT_ONCE)
         self._may_change_roles = Allowance(ROLES_PER_SECOND, ROLES_AT_ONCE)
 
     async def serve(self) -> None:
@@ -183,6 +190,10 @@ class Page:
             return self.pages.reseat(self, seated=isinstance(message, from_page.TakeSeat))
         if isinstance(message, from_page.ShowPolygons):
             return await self._show_polygons(message)
+        if isinstance(message, _OF_CONSOLE):
+            if not self._may_type.take():
+                return await self.reject(message.seq, TOO_MANY_LINES, counts=False)
+            await asyncio.to_thread(self.pages.session.prepare, message.line)
         await self._give(message)
 
     async def _give(self, message: from_page.FromPage) -> None:
@@ -197,8 +208,10 @@ class Page:
         if isinstance(message, from_page.AskSticks) and not answers:
             self.pages.asked()
         for page, answer in answers:
-            if page is self:
+            if page is self and isinstance(answer, to_page.Refused):
                 await self.reject(answer.seq, answer.text, counts=commands)
+            elif page is self:
+                await self._send(answer)
             elif isinstance(page, Page):
                 page.answers.append(answer)
         if commands and not answers:

@@ -38,7 +38,7 @@ class Connected(Protocol):
     shows: bool
     may_fly: bool
     seq: int
-    answers: deque[to_page.Refused]
+    answers: deque[to_page.Answers]
 
 
 class Pages:

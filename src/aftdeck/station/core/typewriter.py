@@ -1,0 +1,161 @@
+"""Console of a session, the report's typewriter: it prints values of the scenario, and changes them in flight.
+
+The report has no format for what the operator typed (*Remote Manipulator Simulation*, section V.A, figure 11): the
+words of this module are ours. `historical.typewriter` reads and writes the words of TABLE III.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable
+from typing import NamedTuple
+
+from aftdeck.errors import InputError
+from aftdeck.historical.typewriter import addresses, read_word, write_word
+from aftdeck.scenario.in_flight import check_key
+from aftdeck.scenario.key_list import entry_of, key_list
+from aftdeck.scenario.keys import key_of
+from aftdeck.scenario.model import Scenario
+from aftdeck.simulation.frame import Frame
+
+HELP = (
+    "print KEY                  value, unit, range and source of a key, or of all keys in a table",
+    "set KEY = VALUE            change a value from the next step on; several changes: KEY = VALUE; KEY = VALUE",
+    "changes                    the changes in force",
+    "read ADDRESS               word of the report's TABLE III (octal address), with its value",
+    "write ADDRESS = WORD       set such a word (octal)",
+    "help                       this text",
+    "KEY is a key of the scenario's file, or arm.… or worksite.… for a key of those files; Tab completes it.",
+)
+MOST_LINES = 40
+"""Greatest number of lines of an answer."""
+MOST_WORDS = 40
+"""Greatest number of completions."""
+_WORDS = "print", "set", "changes", "read", "write", "help"
+_LAST = re.compile(r"[^\s;=]*$")
+
+
+class Now(NamedTuple):
+    """State of the run in which a line is typed.
+
+    Attributes:
+        scenario: scenario with which the run began.
+        in_force: scenario with the changes in force.
+        frame: newest frame; None before the first step.
+        changes: changes in force, each as KEY=VALUE.
+    """
+
+    scenario: Scenario
+    in_force: Scenario
+    frame: Frame | None
+    changes: tuple[str, ...]
+
+
+class Reply(NamedTuple):
+    """Result of a line.
+
+    Attributes:
+        lines: the answer.
+        changes: changes in flight that the line asks for, by their keys.
+    """
+
+    lines: tuple[str, ...]
+    changes: dict[str, str]
+
+
+def reply(line: str, now: Now) -> Reply:
+    """Return the result of a line.
+
+    Raises:
+        InputError: the line is not understood, or names what does not exist; the message says why.
+    """
+    word, _, rest = line.strip().partition(" ")
+    if word.lower() not in _ACTIONS:
+        known = f"known words: {', '.join(_WORDS)}"
+        raise InputError(f"{word[:40]!r} is not a word of the console; {known}" if word else f"nothing typed; {known}")
+    return _ACTIONS[word.lower()](rest.strip(), now)
+
+
+def completions(line: str, now: Now) -> tuple[str, ...]:
+    """Return the words with which the last word of a line can go on: at most `MOST_WORDS`, the shortest first.
+
+    A key is completed up to its next point or bracket, so that few words lead to each of thousands.
+    """
+    match = _LAST.search(line)
+    last = match[0] if match else ""
+    before = line[: len(line) - len(last)].split()
+    if not before:
+        return tuple(word for word in _WORDS if word.startswith(last))
+    if before[0] in ("read", "write"):
+        return tuple(text for text in addresses() if text.startswith(last))[:MOST_WORDS]
+    if before[0] not in ("print", "set"):
+        return ()
+    entries = key_list(now.scenario, now.changes)
+    found: dict[str, None] = {}
+    for name, entry in entries.items():
+        if name.startswith(last) and (before[0] == "print" or entry.changes):
+            end = re.compile(r"[.\[]").search(name, len(last) + 1)
+            found[name[: end.start()] if end else name] = None
+    return tuple(sorted(found, key=lambda name: (len(name), name)))[:MOST_WORDS]
+
+
+def _print(rest: str, now: Now) -> Reply:
+    if not rest:
+        raise InputError("print what? Give a key, such as limits.por.translation")
+    lines: list[str] = []
+    for text in rest.split():
+        entries = entry_of(now.scenario, text, now.changes)
+        lines += [entry.sentence() for entry in entries]
+    return Reply(_few(lines), {})
+
+
+def _set(rest: str, _: Now) -> Reply:
+    changes: dict[str, str] = {}
+    for part in _parts(rest):
+        text, equals, value = part.partition("=")
+        if not equals or not value.strip():
+            raise InputError(
+                f"expected KEY = VALUE, such as limits.por.translation = 0.2 m/s; got {part.strip()[:60]!r}"
+            )
+        key = key_of(text.strip())
+        check_key(key)
+        changes[key.text] = value.strip()
+    return Reply((), changes)
+
+
+def _parts(text: str) -> list[str]:
+    """Return the parts of a text between semicolons; those in quotes do not count."""
+    return [part for part in re.findall(r"(?:[^;'\"]|'[^']*'|\"[^\"]*\"|['\"])+", text) if part.strip()] or [""]
+
+
+def _changes(_: str, now: Now) -> Reply:
+    return Reply(_few([change.replace("=", " = ", 1) for change in now.changes] or ["no value has been changed"]), {})
+
+
+def _read(rest: str, now: Now) -> Reply:
+    return Reply(_few([read_word(text, now.in_force, now.frame) for text in rest.split() or addresses()]), {})
+
+
+def _write(rest: str, now: Now) -> Reply:
+    address, _, word = rest.partition("=")
+    return Reply((), write_word(address.strip(), word.strip(), now.in_force, now.frame))
+
+
+def _help(_: str, __: Now) -> Reply:
+    return Reply(HELP, {})
+
+
+_ACTIONS: dict[str, Callable[[str, Now], Reply]] = {
+    "print": _print,
+    "set": _set,
+    "changes": _changes,
+    "read": _read,
+    "write": _write,
+    "help": _help,
+}
+
+
+def _few(lines: list[str]) -> tuple[str, ...]:
+    """Return the first lines, and how many more there are."""
+    more = len(lines) - MOST_LINES
+    return (*lines[:MOST_LINES], *([f"and {more} more: name a smaller table"] if more > 0 else []))
