@@ -16,6 +16,7 @@ import './panel/joints/tables.css';
 import './panel/desk/events.css';
 import './panel/clearance/clearance.css';
 import './panel/effector/effector.css';
+import './panel/console/console.css';
 import './panel/controllers/key-map.css';
 import './panel/target/control-page.css';
 import './panel/controllers/controllers.css';

@@ -7,14 +7,13 @@ exact deflections of the sticks.
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Container, Mapping, Sequence
+from collections.abc import Callable, Container, Mapping, Sequence, Sized
 from typing import Any, NamedTuple
 
 import numpy as np
 
 from aftdeck.arrays import Array
 from aftdeck.errors import InputError
-from aftdeck.scenario.disturbance import Disturbance
 from aftdeck.scenario.target import Target
 from aftdeck.simulation.camera_drives import CameraDrive
 from aftdeck.simulation.inputs import Inputs
@@ -195,17 +194,19 @@ def _camera(driven: Sequence[str]) -> Field:
     return Field("camera", columns, numbers, drive, held=True)
 
 
-def _disturbances() -> Field:
-    """Return the field without columns: disturbances are no actions of the operator."""
+def _no_action(name: str, nothing: Callable[[], object]) -> Field:
+    """Return a field without columns, because it is no action of the operator; `nothing` returns its empty value."""
 
-    def numbers(value: Sequence[Disturbance]) -> Sequence[float]:
+    def numbers(value: Sized) -> Sequence[float]:
         if value:
-            raise InputError(
-                "disturbances: those of the inputs have no numbers in a dataset; let the scenario plan them"
-            )
+            raise InputError(f"{name}: those of the inputs have no numbers in a dataset; let the scenario plan them")
         return ()
 
-    return Field("disturbances", (), numbers, tuple)
+    return Field(name, (), numbers, lambda _: nothing())
+
+
+def _script() -> Field:
+    return Field("script", (SCRIPT,), lambda value: (float(value),), lambda numbers: bool(numbers[0]))
 
 
 class Encoding:
@@ -213,7 +214,7 @@ class Encoding:
 
     Attributes:
         fields: fields of `Inputs`, in their order.
-        columns: columns of all fields, and `SCRIPT`.
+        columns: columns of all fields; the last one is `SCRIPT`.
         names: their names.
     """
 
@@ -223,12 +224,13 @@ class Encoding:
         made |= {name: _switch(name, *of) for name, of in _SWITCHES.items()} | {"joint": _joint(joints)}
         made |= {name: _button(name) for name in _BUTTONS}
         made |= {"target": _target(joints), "master": _master(joints), "camera": _camera(driven)}
-        made |= {"disturbances": _disturbances()}
+        made |= {"disturbances": _no_action("disturbances", tuple), "changes": _no_action("changes", dict)}
+        made |= {"script": _script()}
         self.fields = tuple(made[name] for name in Inputs.__struct_fields__)
-        self.columns = (*(column for field in self.fields for column in field.columns), SCRIPT)
+        self.columns = tuple(column for field in self.fields for column in field.columns)
         self.names = tuple(column.name for column in self.columns)
 
-    def encode(self, inputs: Inputs, *, script: bool = False) -> list[float]:
+    def encode(self, inputs: Inputs) -> list[float]:
         """Return the numbers of all columns for the inputs of a step.
 
         Raises:
@@ -237,7 +239,7 @@ class Encoding:
         numbers: list[float] = []
         for field in self.fields:
             numbers += field.numbers(getattr(inputs, field.name))
-        return [*numbers, float(script)]
+        return numbers
 
     def decode(self, numbers: Sequence[float], *, held_only: bool = False) -> Inputs | None:
         """Return the inputs of numbers for all columns; None if the script supplies them.

@@ -68,7 +68,7 @@ class Flight:
         for at in range(0, self.steps, per_sample):
             since = self.records[at : at + per_sample]
             one = merged(since, since[0], at + 1)
-            rows.append(encoding.encode(one, script=one.script))
+            rows.append(encoding.encode(one))
         return np.array(rows)
 
 
@@ -101,9 +101,9 @@ def read_flight(path: Path, progress: Callable[[float], None] | None = None) -> 
             elif isinstance(message, FrameRecord):
                 sim.advance(inputs_of(given))
                 if given.script:
-                    given = replace(input_record(message.tick, sim.flown), script=True)
+                    given = replace(input_record(message.tick, sim.flown), script=True, changes=given.changes)
                 records.append(given)
-                rows.append(encoding.encode(given, script=given.script))
+                rows.append(encoding.encode(given))
                 tips.append(message.position)
                 digests.update(sim.seal())
                 equal = equal and sim.seal().hex()[:DIGITS] == message.sha256

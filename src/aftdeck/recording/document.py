@@ -50,6 +50,8 @@ def _type(kind: Any, inner: dict[str, type[msgspec.Struct]]) -> str:
         return f"list: {_type(get_args(kind)[0], inner)}"
     if origin is Literal:
         return " / ".join(f"`{value}`" for value in get_args(kind))
+    if origin is dict:
+        return f"object: {_type(get_args(kind)[1], inner)} by names"
     if is_object(kind):
         inner[kind.__name__] = kind
         return f"`{kind.__name__}`"

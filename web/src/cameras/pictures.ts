@@ -218,6 +218,11 @@ export class Pictures {
     return this.orbits;
   }
 
+  /** Takes the cameras' places, which changes in flight have changed. */
+  renew(): void {
+    this.scene.cameras.renew();
+  }
+
   /** Surveys all cameras at the frame drawn last; null before the first frame. */
   views(): Views | null {
     if (!this.last) return null;

@@ -12,6 +12,7 @@ import { LiveStrips } from '../windows/live-strips';
 import { Display } from '../windows/monitor-window';
 import { PLANES, showsPlanes, tornHere } from '../windows/opened';
 import { PlanesWindow } from '../windows/planes-window';
+import { renew } from './changed';
 import { PolygonPictures } from './polygon-pictures';
 import type { Frame, Event as LogEvent, Recent, Role, Scenarios, Welcome } from './protocol';
 import { type FromSession, Link, type LinkState } from './socket';
@@ -38,6 +39,8 @@ interface Content {
   /** The station sends all lines of the log again. */
   forgetEvents?(): void;
   setRecent?(recent: Recent): void;
+  /** Changes in flight have changed the welcome. */
+  changed?(): void;
   dispose(): void;
 }
 
@@ -45,12 +48,15 @@ export function fly(root: HTMLElement, drawing: Drawing): void {
   let station: Content | null = null;
   const torn = tornHere(location.search);
   let welcomed: Welcome | null = null;
+  /** The welcome as it came: changes in flight change `welcomed`. */
+  let welcomedText = '';
   let role: Role | null = null;
   let scenarios: Scenarios | null = null;
 
   function welcome(message: Welcome): void {
     // After a reconnection to the same run the page stays, and the server sends the whole log again.
-    if (station && JSON.stringify(message) === JSON.stringify(welcomed)) {
+    const text = JSON.stringify(message);
+    if (station && text === welcomedText) {
       station.forgetEvents?.();
       station.polygons?.askAgain();
       return;
@@ -58,6 +64,7 @@ export function fly(root: HTMLElement, drawing: Drawing): void {
     station?.dispose();
     station = null;
     welcomed = message;
+    welcomedText = text;
     startOrNotice(root, () => start(message));
   }
 
@@ -110,6 +117,14 @@ export function fly(root: HTMLElement, drawing: Drawing): void {
         break;
       case 'readiness':
         if (station instanceof Station) station.setReadiness(received);
+        break;
+      case 'changed':
+        if (welcomed) renew(welcomed, received);
+        station?.changed?.();
+        break;
+      case 'typed':
+      case 'completed':
+        if (station instanceof Station) station.answer(received);
         break;
       case 'refused':
         if (station instanceof Station) station.refuse(received.text, received.seq);

@@ -19,13 +19,14 @@ export type ControllerKind = 'keyboard' | 'pad' | 'thc pad' | 'rhc pad' | 'thc j
 export type WaitsFor = '' | 'page' | 'laws';
 export type Plant = 'kinematic' | 'rigid' | 'flexible';
 export type Vec3 = readonly [number, number, number];
-export type FromPage = Sticks | Drawn | Shown | ShowPolygons | Announce | Controllers | DriveCamera | SetLight | Pulse | EnterMode | SelectJoint | SelectRate | SelectLaw | PayloadAxes | RateHold | PositionHold | AskSticks | GiveSticks | KeepSticks | SetName | LeaveSeat | TakeSeat | HandsOff | LookAhead | TurnStep | SetBrakes | SetSafing | SetTarget | Proceed | Stop | Restart | FlyScenario | SetEffector | SetEffectorMode | SetRigid | PressLatch | SetMaster | Initialise;
+export type FromPage = Sticks | Drawn | Shown | ShowPolygons | Announce | Controllers | DriveCamera | SetLight | Pulse | EnterMode | SelectJoint | SelectRate | SelectLaw | PayloadAxes | RateHold | PositionHold | AskSticks | GiveSticks | KeepSticks | SetName | LeaveSeat | TakeSeat | HandsOff | LookAhead | TurnStep | SetBrakes | SetSafing | SetTarget | Proceed | Stop | Restart | FlyScenario | SetEffector | SetEffectorMode | SetRigid | PressLatch | SetMaster | Initialise | TypeLine | CompleteLine;
 export type DeskGroup = 'thc' | 'rhc' | 'mode' | 'target' | 'joints' | 'clearance' | 'conditions' | 'effector' | 'limits' | 'singularity';
 export type Use = '-X' | '+X' | '-Y' | '+Y' | '-Z' | '+Z' | '-roll' | '+roll' | '-pitch' | '+pitch' | '-yaw' | '+yaw' | '-telescope' | '+telescope' | '-pan' | '+pan' | '-tilt' | '+tilt' | '-zoom' | '+zoom' | 'stop' | 'rate' | 'rate hold' | 'pulse' | 'close' | 'open' | 'latch' | 'brakes' | 'safing' | 'position hold' | 'mode -' | 'mode +' | 'enter' | 'proceed' | 'joint -' | 'joint +' | 'fly orbiter' | 'acknowledge' | 'announce' | 'plane' | 'bending' | 'otherMonitor' | 'cameraStep -' | 'cameraStep +' | 'split' | 'matrix' | 'offered pair' | 'slow camera' | 'light' | 'mute' | 'lock exposure' | 'control page' | 'leave' | 'camera 1' | 'camera 2' | 'camera 3' | 'camera 4' | 'camera 5' | 'camera 6' | 'camera 7' | 'camera 8' | 'camera 9' | 'camera 10';
 export type Grade = 'A' | 'B' | 'C' | 'D';
 export type AutopilotName = 'script' | 'policy' | 'synthetic operator';
 export type ScenarioGroup = 'learn' | 'fly' | 'study';
-export type FromServer = Preparing | Welcome | Scenarios | Role | Frame | Polygons | Events | Recent | Readiness | Refused;
+export type Answers = Typed | Completed | Refused;
+export type FromServer = Preparing | Welcome | Changed | Scenarios | Role | Frame | Polygons | Events | Recent | Readiness | Typed | Completed | Refused;
 export type Block = readonly Moment[];
 export type Rows = readonly [Vec3, Vec3, Vec3];
 export type Six = readonly [number, number, number, number, number, number];
@@ -622,6 +623,47 @@ export interface Initialise {
   readonly part: ProblemPart;
 }
 
+/** Type a line on the console, the report's typewriter: `Typed` answers it. */
+export interface TypeLine {
+  readonly type: 'type_line';
+  readonly seq: number;
+  readonly line: string;
+}
+
+/** Ask how the last word of a line on the console can go on: `Completed` answers it. */
+export interface CompleteLine {
+  readonly type: 'complete_line';
+  readonly seq: number;
+  readonly line: string;
+}
+
+/** Answer of the console to a line. */
+export interface Typed {
+  readonly type: 'typed';
+  /** `seq` of the line. */
+  readonly seq: number;
+  readonly lines: readonly string[];
+  /** Whether the line was not understood, or its change was refused; the lines say why. */
+  readonly refused: boolean;
+}
+
+/** Words with which the last word of a line on the console can go on. */
+export interface Completed {
+  readonly type: 'completed';
+  /** `seq` of the request. */
+  readonly seq: number;
+  /** The words, whole; at most 40. */
+  readonly words: readonly string[];
+}
+
+/** Rejection of a message or command. `text` gives the operator the reason, in one sentence. */
+export interface Refused {
+  readonly type: 'refused';
+  /** `seq` of the rejected message; -1 if the message could not be decoded, or if `text` is not about a message. */
+  readonly seq: number;
+  readonly text: string;
+}
+
 /** One line about the progress of preparing the first session; sent before the welcome. */
 export interface Preparing {
   readonly type: 'preparing';
@@ -949,6 +991,18 @@ export interface HintInfo {
   readonly uses: readonly UseInfo[];
 }
 
+/** New values of fields of the welcome, after a change in flight or a restart; all other fields stay the same. */
+export interface Changed {
+  readonly type: 'changed';
+  readonly joints: readonly JointInfo[];
+  readonly cameras: readonly Camera[];
+  readonly work: WorkInfo;
+  readonly payloads: readonly PayloadInfo[];
+  readonly singular: number;
+  readonly telemetry_delay_s: number;
+  readonly camera_delay_s: number;
+}
+
 /** Scenarios that this station can run. The server sends the list on connection and whenever it changes. */
 export interface Scenarios {
   readonly type: 'scenarios';
@@ -1112,6 +1166,8 @@ export interface Frame {
   readonly dynamics: Dynamics | null;
   /** mechanisms in motion: latches, snares, carriage, prong, telescope */
   readonly motions: readonly Motion[];
+  /** changes in flight that are in force, each as KEY=VALUE; empty if there are none */
+  readonly changes: readonly string[];
   readonly display: Display;
 }
 
@@ -1722,14 +1778,6 @@ export interface Readiness {
   readonly left_s: number | null;
   /** Sentence that says why the laws stay plain Python; empty if they are compiled or will be. */
   readonly failure: string;
-}
-
-/** Rejection of a message or command. `text` gives the operator the reason, in one sentence. */
-export interface Refused {
-  readonly type: 'refused';
-  /** `seq` of the rejected message; -1 if the message could not be decoded, or if `text` is not about a message. */
-  readonly seq: number;
-  readonly text: string;
 }
 
 /** Recorded frame, with the value of each curve in this step. */

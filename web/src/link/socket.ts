@@ -134,6 +134,9 @@ export function parse(data: unknown): FromServer {
     case 'events':
     case 'recent':
     case 'readiness':
+    case 'changed':
+    case 'typed':
+    case 'completed':
     case 'refused':
       return message;
     default:

@@ -11,6 +11,7 @@ import { PolygonPictures } from '../link/polygon-pictures';
 import type { Welcome } from '../link/protocol';
 import type { Command } from '../link/socket';
 import { Calm } from '../panel/calm/calm';
+import { Console } from '../panel/console/console';
 import { ControllersSheet } from '../panel/controllers/controllers';
 import { KeyMap } from '../panel/controllers/key-map';
 import { swapQuestion } from '../panel/controllers/swap';
@@ -116,6 +117,7 @@ export function buildParts(
     say: (text) => log.say(text),
   };
   const controlPage = new ControlPage(desk);
+  const typewriter = new Console(transmit);
   const groups = deskGroups(desk, events, {
     plane: () => operations.togglePlane(),
     bending: () => operations.toggleBending(),
@@ -151,6 +153,7 @@ export function buildParts(
     restart: () => operations.send({ type: 'restart' }),
     keys: () => keys.toggle(),
     controllers: () => operations.openControllers(),
+    console: () => typewriter.toggle(),
   });
   const parts: Parts = {
     ...{
@@ -169,6 +172,7 @@ export function buildParts(
     },
     ...{ tones, spine, groups, light, controlPage, keys, scenarios, sheet, task },
     calm,
+    console: typewriter,
     ...{ rail: topRail, naming: nameField, handOver: handOverParts },
     pairNotice: notice,
     readiness,

@@ -123,7 +123,7 @@ export class Operations {
     calm.use(action.name === 'grip' ? action.grip : action.name);
     act(action, {
       ...{ groups, pictures, light, controlPage, keys },
-      sheets: [sheet, rail],
+      sheets: [sheet, rail, this.parts.console],
       stop: () => this.stop(),
       changeRate: () => this.changeRate(),
       enterMode: () => groups.mode.enter() || task.enterMode(),

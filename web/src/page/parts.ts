@@ -7,6 +7,7 @@ import type { Latency } from '../link/latency';
 import type { PolygonPictures } from '../link/polygon-pictures';
 import type { Welcome } from '../link/protocol';
 import type { Calm } from '../panel/calm/calm';
+import type { Console } from '../panel/console/console';
 import type { ControllersSheet } from '../panel/controllers/controllers';
 import type { KeyMap } from '../panel/controllers/key-map';
 import type { SwapQuestion } from '../panel/controllers/swap';
@@ -63,6 +64,7 @@ export interface Parts {
   readonly naming: Naming;
   // sheets, questions and other elements over the page
   readonly controlPage: ControlPage;
+  readonly console: Console;
   readonly handOver: HandOver;
   readonly keys: KeyMap;
   readonly scenarios: ScenarioChoice;

@@ -31,6 +31,7 @@ export function place(root: HTMLElement, parts: Parts): void {
     parts.pairNotice.element,
     parts.keys.element,
     parts.controlPage.element,
+    parts.console.element,
     parts.sheet.element,
   );
 }

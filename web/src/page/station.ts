@@ -3,7 +3,16 @@
 import type { Sharpness } from '../cameras/fineness';
 import type { Views } from '../cameras/pictures';
 import type { PolygonPictures } from '../link/polygon-pictures';
-import type { Frame, Event as LogEvent, Readiness, Role, Scenarios, Welcome } from '../link/protocol';
+import type {
+  Completed,
+  Frame,
+  Event as LogEvent,
+  Readiness,
+  Role,
+  Scenarios,
+  Typed,
+  Welcome,
+} from '../link/protocol';
 import type { Command, LinkState } from '../link/socket';
 import { setClass } from '../panel/parts/dom';
 import type { DrawnBody } from '../scene/bodies';
@@ -135,6 +144,17 @@ export class Station {
   addEvents(events: readonly LogEvent[]): void {
     this.parts.arrivals.addEvents(events);
     this.parts.log.addDue(performance.now());
+  }
+
+  /** Shows what changes in flight have changed in the welcome. */
+  changed(): void {
+    this.parts.pictures.renew();
+  }
+
+  /** Shows an answer of the console. */
+  answer(answer: Typed | Completed): void {
+    if (answer.type === 'typed') this.parts.console.typed(answer);
+    else this.parts.console.complete(answer);
   }
 
   forgetEvents(): void {

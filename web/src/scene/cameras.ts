@@ -54,6 +54,12 @@ class Mounted {
     this.look(viewOf(this.camera, setting));
   }
 
+  /** Takes the camera's fields, which may have changed. */
+  renew(): void {
+    if (this.camera.drive === null) this.setting = settingOf(this.camera);
+    if (this.camera.kind !== 'engineering') this.look(viewOf(this.camera, this.setting));
+  }
+
   /** Transform from the scene frame to the frame of the camera's body. */
   get toBody(): Matrix4 {
     return inverse.copy(this.body.group.matrixWorld).invert();
@@ -104,6 +110,11 @@ export class Cameras {
       const view = views[i];
       if (view) mounted.put(view);
     });
+  }
+
+  /** Looks anew from the places of the cameras, which changes in flight have changed. */
+  renew(): void {
+    for (const mounted of this.mounted.values()) mounted.renew();
   }
 
   /** Returns the present setting of a camera's drives: pan, tilt, horizontal field of view [rad]. */

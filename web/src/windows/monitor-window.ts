@@ -103,6 +103,10 @@ export class Display {
     this.line.put({ frame, at: performance.now() });
   }
 
+  changed(): void {
+    this.pictures.renew();
+  }
+
   dispose(): void {
     cancelAnimationFrame(this.request);
     clearInterval(this.timer);

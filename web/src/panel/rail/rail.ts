@@ -23,6 +23,7 @@ export interface RailListener {
   restart(): void;
   keys(): void;
   controllers(): void;
+  console(): void;
 }
 
 /** Parts of the page that have a button in the rail. */
@@ -123,6 +124,11 @@ export function rail(
         { title: 'Show the input devices, their keys and axes', 'data-calm': 'controllers' },
         ['Controllers'],
         () => listener.controllers(),
+      ),
+      button(
+        { title: 'Print values of the scenario, and change them in flight', 'data-calm': 'full' },
+        ['Console'],
+        () => listener.console(),
       ),
       button({ class: 'keys' }, ['Keys ?'], () => listener.keys()),
     ),
