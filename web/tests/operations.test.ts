@@ -1,5 +1,5 @@
 import { afterEach, describe, expect, it, test, vi } from 'vitest';
-import type { Action } from '../src/input/keymap';
+import type { Action } from '../src/input/action';
 import type { AutopilotName, ModeInfo, Rate } from '../src/link/protocol';
 import type { Command } from '../src/link/socket';
 import { Operations } from '../src/page/operations';
@@ -112,17 +112,17 @@ test.each<[Rate, Rate]>([
 
 test('the keys of the joints select the next and the previous joint', () => {
   const { operations, parts } = station();
-  operations.act({ name: 'turn joint', by: 1 });
-  operations.act({ name: 'turn joint', by: -1 });
+  operations.act({ name: 'joint +' });
+  operations.act({ name: 'joint -' });
   expect(parts.groups.mode.turnJoint.mock.calls).toEqual([[1], [-1]]);
 });
 
 test('the keys of the cameras act on the monitors', () => {
   const { operations, parts } = station();
   const { monitors } = parts.pictures;
-  operations.act({ name: 'cameraStep', by: 1 });
+  operations.act({ name: 'cameraStep +' });
   operations.act({ name: 'otherMonitor' });
-  operations.act({ name: 'camera', number: 1 });
+  operations.act({ name: 'camera 1' });
   expect(monitors.step.mock.calls).toEqual([[1]]);
   expect(monitors.takeOther).toHaveBeenCalledTimes(1);
   expect(monitors.chooseDigit.mock.calls.map(([index]) => index)).toEqual([0]);
