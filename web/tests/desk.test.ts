@@ -1,6 +1,7 @@
 import { afterEach, beforeEach, expect, test, vi } from 'vitest';
 import { Hold } from '../src/input/hold';
-import { working } from '../src/panel/controllers/key-map';
+import { type Equipment, rowsFor } from '../src/input/uses/use';
+import { WORKING } from '../src/input/uses/working';
 import { isMoving } from '../src/panel/desk/orbiter';
 import { counted } from '../src/panel/spine/spine';
 
@@ -61,8 +62,8 @@ test('the orbiter is at rest below 0.1 mm/s', () => {
 
 test('the key map lists only the keys of the present arm', () => {
   const keyMap = (hand: 'prong' | 'snares', stand: object | null) =>
-    working({ flexures: [], work: { hand, stand } } as unknown as Parameters<typeof working>[0])
-      .map(([, does]) => does)
+    rowsFor({ flexures: [], work: { hand, stand } } as unknown as Equipment, WORKING)
+      .map(([, help]) => help)
       .join();
   expect(keyMap('snares', null)).not.toMatch(/prong|telescope/);
   expect(keyMap('prong', {})).toMatch(/prong.*telescope/);

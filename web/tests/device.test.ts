@@ -1,7 +1,7 @@
 import { expect, test } from 'vitest';
+import type { Action } from '../src/input/action';
 import { isZero } from '../src/input/deflection';
 import { Device } from '../src/input/device';
-import type { Action } from '../src/input/keymap';
 import { nameOfSource } from '../src/input/layout';
 import { KINDS } from '../src/input/mapping';
 import { deflection } from '../src/input/reading';
@@ -70,7 +70,7 @@ test('North captures; Menu with North releases', () => {
 
 test('Menu alone steps the camera when it is released', () => {
   const { press } = pressed();
-  expect([press(9), press()]).toEqual([[], ['cameraStep']]);
+  expect([press(9), press()]).toEqual([[], ['cameraStep +']]);
   expect([press(9), press(9, 8), press(9), press()]).toEqual([[], ['fly orbiter'], [], []]);
   expect([press(9), press(9, 12), press()]).toEqual([[], [], []]);
 });
@@ -79,7 +79,7 @@ test('View with a button works the panel; View alone selects the other monitor',
   const { press } = pressed();
   expect([press(8), press(8, 15), press(8), press(8, 0), press()]).toEqual([
     [],
-    ['turn mode'],
+    ['mode +'],
     [],
     ['enter'],
     [],

@@ -116,7 +116,7 @@ describe('groups of the page', () => {
     element.querySelectorAll(selector).map(({ textContent }) => textContent);
 
   it('show a joint that slides with its unit', () => {
-    const group = jointsGroup(desk([rail, elbow]).desk, () => {});
+    const group = jointsGroup(desk([rail, elbow]).desk);
     const element = draw(group, SI);
     expect(cells(element, 'tbody th')).toEqual(['Rail m', 'Elbow']);
     expect(cells(element, 'td.angle')).toEqual(['+0.500', '−28.6']);
@@ -126,15 +126,7 @@ describe('groups of the page', () => {
     expect(cells(element, 'tbody th')).toEqual(['Rail in', 'Elbow']);
     expect(cells(element, 'td.angle')).toEqual(['+19.7', '−28.6']);
     expect(element.querySelector('td.scale')?.getAttribute('title')).toBe(rangeText(rail, FEET));
-    expect(
-      cells(
-        draw(
-          jointsGroup(desk([rail, rail]).desk, () => {}),
-          SI,
-        ),
-        'thead th',
-      ),
-    ).not.toContain('deg');
+    expect(cells(draw(jointsGroup(desk([rail, rail]).desk), SI), 'thead th')).not.toContain('deg');
   });
 
   it('send metres from the slider of a joint that slides', () => {

@@ -1,5 +1,5 @@
 import { afterEach, describe, expect, it, test, vi } from 'vitest';
-import type { Action } from '../src/input/keymap';
+import type { Action } from '../src/input/action';
 import type { AutopilotName, ModeInfo, Rate } from '../src/link/protocol';
 import type { Command } from '../src/link/socket';
 import { Operations } from '../src/page/operations';
@@ -43,7 +43,7 @@ function station(flying = true, payloads = 1) {
     units: { toggle: vi.fn() },
     calm: { use: vi.fn() },
     light: { toggle: vi.fn(), lock: vi.fn() },
-    ...{ keys: sheet(), sheet: sheet(), rail: sheet(), controlPage: sheet() },
+    ...{ keys: sheet(), sheet: sheet(), rail: sheet(), controlPage: sheet(), console: sheet() },
   };
   const sent: Command[] = [];
   const classes = new Set<string>();
@@ -112,17 +112,17 @@ test.each<[Rate, Rate]>([
 
 test('the keys of the joints select the next and the previous joint', () => {
   const { operations, parts } = station();
-  operations.act({ name: 'turn joint', by: 1 });
-  operations.act({ name: 'turn joint', by: -1 });
+  operations.act({ name: 'joint +' });
+  operations.act({ name: 'joint -' });
   expect(parts.groups.mode.turnJoint.mock.calls).toEqual([[1], [-1]]);
 });
 
 test('the keys of the cameras act on the monitors', () => {
   const { operations, parts } = station();
   const { monitors } = parts.pictures;
-  operations.act({ name: 'cameraStep', by: 1 });
+  operations.act({ name: 'cameraStep +' });
   operations.act({ name: 'otherMonitor' });
-  operations.act({ name: 'camera', number: 1 });
+  operations.act({ name: 'camera 1' });
   expect(monitors.step.mock.calls).toEqual([[1]]);
   expect(monitors.takeOther).toHaveBeenCalledTimes(1);
   expect(monitors.chooseDigit.mock.calls.map(([index]) => index)).toEqual([0]);
@@ -207,7 +207,7 @@ test('Escape closes every sheet', () => {
   vi.stubGlobal('document', { activeElement: null });
   const { operations, parts } = station();
   operations.act({ name: 'leave' });
-  for (const { close } of [parts.keys, parts.sheet, parts.rail, parts.controlPage])
+  for (const { close } of [parts.keys, parts.sheet, parts.rail, parts.controlPage, parts.console])
     expect(close).toHaveBeenCalledTimes(1);
 });
 

@@ -1,6 +1,6 @@
 import { afterEach, beforeEach, expect, test, vi } from 'vitest';
+import type { Action } from '../src/input/action';
 import { Keyboard } from '../src/input/keyboard';
-import type { Action } from '../src/input/keymap';
 
 /** Time between two readings of the keyboard, time to the first repeat of a key, and time between two repeats [ms]. */
 const [TICK_MS, FIRST_MS, REPEAT_MS] = [15, 500, 33];

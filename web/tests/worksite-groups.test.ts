@@ -42,10 +42,7 @@ function show(group: Part, shown: Work): SmallElement {
 
 describe('the clearance', () => {
   const shown = (parts: Partial<Near>) =>
-    show(
-      clearanceGroup(desk().desk, () => {}),
-      work({ nearest: near(parts) }),
-    ).querySelector('p.closing')?.textContent;
+    show(clearanceGroup(desk().desk), work({ nearest: near(parts) })).querySelector('p.closing')?.textContent;
 
   it('that decreases has its rate and the time to contact', () => {
     expect(shown({ clearance: 0.38, closing: 0.021 })).toBe('closing 0.8 in/scontact in 18 s');
@@ -57,10 +54,7 @@ describe('the clearance', () => {
 
   it('has the colour of its level', () => {
     const classes = (clearance_level: Work['clearance_level']) =>
-      show(
-        clearanceGroup(desk().desk, () => {}),
-        work({ nearest: near({}), clearance_level }),
-      ).classes;
+      show(clearanceGroup(desk().desk), work({ nearest: near({}), clearance_level })).classes;
     expect(classes('info')).toEqual(['group', 'clearance']);
     expect(classes('caution')).toContain('caution');
     expect(classes('warning')).toContain('warning');
@@ -68,11 +62,11 @@ describe('the clearance', () => {
 });
 
 test('the button of the separating plane is pressed while the pictures show the plane', () => {
-  const pressed = vi.fn();
-  const group = clearanceGroup(desk().desk, pressed);
+  const act = vi.fn();
+  const group = clearanceGroup({ ...desk().desk, act });
   const key = small(group.element).button('Plane');
   key?.click();
-  expect(pressed).toHaveBeenCalledTimes(1);
+  expect(act.mock.calls).toEqual([['plane']]);
   group.setPlane(true);
   expect(key?.getAttribute('aria-pressed')).toBe('true');
   group.setPlane(false);

@@ -63,6 +63,7 @@ Use = Literal[
     "mute",
     "lock exposure",
     "control page",
+    "console",
     "leave",
     "camera 1",
     "camera 2",
@@ -75,7 +76,7 @@ Use = Literal[
     "camera 9",
     "camera 10",
 ]
-"""Functions of keys, buttons and axes that a step can name; the page has them in ``web/src/input/keymap.ts``."""
+"""Functions of keys, buttons and axes that a step can name; the page has them in ``web/src/input/uses/``."""
 DeskGroup = Literal[
     "thc", "rhc", "mode", "target", "joints", "clearance", "conditions", "effector", "limits", "singularity"
 ]

@@ -1,11 +1,11 @@
 /** Devices of the hand controllers: keyboard, pads, SpaceMouse and touch sticks, each with its mapping. */
 
 import type { ControllerInUse } from '../link/protocol';
+import type { Action } from './action';
 import { InHand, KEYS, type Names } from './active-device';
 import { type Deflection, equal, type Hand, sum, ZERO } from './deflection';
 import { Device } from './device';
 import { Keyboard, type KeyboardListener } from './keyboard';
-import type { Action } from './keymap';
 import type { Kind } from './mapping';
 import { Pads } from './pads';
 import { Pulses } from './pulses';

@@ -1,76 +1,16 @@
-/** Default mappings of all kinds of device. */
+/** Default mappings of all kinds of device. Those of the keyboard are in the tables of functions (`uses/`). */
 
+import type { Use } from '../link/protocol';
+import { KEYBOARD } from './keymap';
 import type { Kind, Mapping } from './mapping';
+
+type Bindings = Readonly<Record<string, Use>>;
 
 const DEADBAND = 0.08;
 const EXPO = 0.3;
 
-const digits = Array.from({ length: 10 }, (_, i): [string, string] => [
-  `Digit${(i + 1) % 10}`,
-  `camera ${i + 1}`,
-]);
-
-/** Keys by their position on the keyboard: the left hand translates, the right hand rotates. */
-const KEYBOARD = {
-  KeyW: '+X',
-  KeyS: '-X',
-  KeyD: '+Y',
-  KeyA: '-Y',
-  KeyE: '+Z',
-  KeyQ: '-Z',
-  KeyI: '+pitch',
-  KeyK: '-pitch',
-  KeyL: '+yaw',
-  KeyJ: '-yaw',
-  KeyO: '+roll',
-  KeyU: '-roll',
-  KeyY: '+telescope',
-  KeyN: '-telescope',
-  ArrowRight: '+pan',
-  ArrowLeft: '-pan',
-  ArrowUp: '+tilt',
-  ArrowDown: '-tilt',
-  PageUp: '+zoom',
-  PageDown: '-zoom',
-  Space: 'stop',
-  KeyV: 'rate',
-  KeyH: 'rate hold',
-  ShiftLeft: 'pulse',
-  KeyG: 'close',
-  KeyR: 'open',
-  KeyT: 'latch',
-  KeyB: 'brakes',
-  Delete: 'safing',
-  Insert: 'position hold',
-  BracketLeft: 'mode -',
-  BracketRight: 'mode +',
-  Enter: 'enter',
-  NumpadEnter: 'enter',
-  KeyP: 'proceed',
-  Minus: 'joint -',
-  Equal: 'joint +',
-  Backquote: 'fly orbiter',
-  KeyM: 'acknowledge',
-  NumpadSubtract: 'announce',
-  NumpadDivide: 'mute',
-  KeyF: 'plane',
-  NumpadMultiply: 'bending',
-  KeyX: 'otherMonitor',
-  Comma: 'cameraStep -',
-  Period: 'cameraStep +',
-  KeyZ: 'split',
-  KeyC: 'matrix',
-  NumpadAdd: 'offered pair',
-  Semicolon: 'slow camera',
-  Home: 'light',
-  End: 'lock exposure',
-  Backslash: 'control page',
-  Escape: 'leave',
-  ...Object.fromEntries(digits),
-};
-
 /** Functions of a pad's cross (D-pad), pressed sticks, and buttons View and Menu, in the browser's standard mapping. */
-const PAD_CAMERAS = {
+const PAD_CAMERAS: Bindings = {
   b15: '+pan',
   b14: '-pan',
   b12: '+tilt',
@@ -82,7 +22,7 @@ const PAD_CAMERAS = {
 };
 
 /** Functions of the panel, on the buttons of a pad while View is held. */
-const PAD_PANEL = {
+const PAD_PANEL: Bindings = {
   'b8+b14': 'mode -',
   'b8+b15': 'mode +',
   'b8+b0': 'enter',
@@ -91,7 +31,7 @@ const PAD_PANEL = {
 };
 
 /** Axes are positive to the right and towards the operator. A stick pushed away commands +X or nose up. */
-const PAD = {
+const PAD: Bindings = {
   a1: '-X',
   a0: '+Y',
   b7: '+Z',
@@ -115,7 +55,7 @@ const PAD = {
   ...PAD_PANEL,
 };
 
-const THC_PAD = {
+const THC_PAD: Bindings = {
   a1: '-X',
   a0: '+Y',
   a3: '+Z',
@@ -130,7 +70,7 @@ const THC_PAD = {
   ...PAD_PANEL,
 };
 
-const RHC_PAD = {
+const RHC_PAD: Bindings = {
   a1: '-pitch',
   a0: '+roll',
   a2: '+yaw',
@@ -146,8 +86,8 @@ const RHC_PAD = {
 };
 
 /** Joysticks have no standard mapping. Most begin with the axes x, y, twist and the buttons trigger, thumb, pinkie. */
-const THC_JOYSTICK = { a1: '-X', a0: '+Y', a2: '+Z', b0: 'pulse', b1: 'stop' };
-const RHC_JOYSTICK = {
+const THC_JOYSTICK: Bindings = { a1: '-X', a0: '+Y', a2: '+Z', b0: 'pulse', b1: 'stop' };
+const RHC_JOYSTICK: Bindings = {
   a1: '-pitch',
   a0: '+roll',
   a2: '+yaw',
@@ -158,7 +98,7 @@ const RHC_JOYSTICK = {
 };
 
 /** Axes: x to the right, y to the operator, z down, and right-handed rotations about them (HID Usage Tables, 4.2). */
-const SPACEMOUSE = {
+const SPACEMOUSE: Bindings = {
   a1: '-X',
   a0: '+Y',
   a2: '+Z',
@@ -171,9 +111,9 @@ const SPACEMOUSE = {
 };
 
 /** Touch sticks: left stick and slider, right stick and slider. Their axes are positive to the right and downwards. */
-const TOUCH = { a1: '-X', a0: '+Y', a2: '+Z', a4: '-pitch', a3: '+yaw', a5: '+roll' };
+const TOUCH: Bindings = { a1: '-X', a0: '+Y', a2: '+Z', a4: '-pitch', a3: '+yaw', a5: '+roll' };
 
-function mapping(bindings: Readonly<Record<string, string>>): Mapping {
+function mapping(bindings: Bindings): Mapping {
   return { deadband: DEADBAND, expo: EXPO, bindings, centres: [] };
 }
 

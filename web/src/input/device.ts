@@ -1,8 +1,9 @@
 /** One device: conversion of its raw axes and buttons to deflections and actions, and its state. */
 
+import type { Action, Grip } from './action';
 import { AXES, type Deflection, HANDS, type Hand, isZero, ZERO } from './deflection';
 import { NOT_HELD } from './hold';
-import { type Action, type Grip, USES } from './keymap';
+import { USES } from './keymap';
 import { nameOfSource } from './layout';
 import { assignedParts, type Kind, type Mapping } from './mapping';
 import { checked, deflection, type Reading } from './reading';
@@ -166,10 +167,9 @@ export class Device {
   }
 
   private begin(use: string | undefined, at: number): void {
-    const does = use === undefined ? undefined : USES.get(use)?.does;
-    if (does?.kind === 'once') this.acted(does.action);
-    else if (does?.kind === 'grip') this.grip(does.grip, true, at);
-    else if (does?.kind === 'pulse') this.acted({ name: 'pulse' });
+    const found = use === undefined ? undefined : USES.get(use);
+    if (found?.does.kind === 'grip') this.grip(found.does.grip, true, at);
+    else if (found && found.does.kind !== 'axis') this.acted({ name: found.name });
   }
 
   private end(use: string | undefined, at: number): void {

@@ -1,12 +1,14 @@
 /** The keyboard as two hand controllers and switches, according to its mapping. */
 
 import { clamp } from '../basics/clamp';
+import type { Action } from './action';
 import { type Deflection, isZero, PAN, ZERO } from './deflection';
 import { NOT_HELD } from './hold';
-import { type Action, USES, type Use } from './keymap';
+import { USES } from './keymap';
 import { learnLetter } from './layout';
 import { Repeats } from './repeats';
 import { mappingOf } from './store';
+import type { Use } from './uses/use';
 
 /** Time from zero to full deflection while a key is held, and time back to zero after its release [s]. */
 const FULL_S = 0.35;
@@ -104,15 +106,17 @@ export class Keyboard {
       return;
     }
     if (event.ctrlKey || event.altKey || event.metaKey) return;
-    const does = useOf(event.code)?.does;
-    const action = event.key === '?' ? KEYS : does?.kind === 'once' ? does.action : undefined;
-    if (action?.name !== 'stop' && action?.name !== 'leave') {
+    const use = useOf(event.code);
+    const does = use?.does;
+    const once = does?.kind === 'once' || does?.kind === 'view';
+    const name = event.key === '?' ? 'keys' : once ? use?.name : undefined;
+    if (name !== 'stop' && name !== 'leave') {
       if (isTyping(event.target) || isOwn(event)) return;
-      if (action?.name === 'enter' && isControl(event.target)) return;
+      if (name === 'enter' && isControl(event.target)) return;
     }
-    if (action) {
+    if (name) {
       if (!takesSpaces(event.target)) event.preventDefault();
-      if (!event.repeat) this.listener.acted(action);
+      if (!event.repeat) this.listener.acted({ name });
     } else if (does) {
       event.preventDefault();
       const lapsed = this.lapsed.delete(event.code);
@@ -138,8 +142,6 @@ export class Keyboard {
     return does?.kind === 'grip';
   }
 }
-
-const KEYS: Action = { name: 'keys' };
 
 function useOf(code: string): Use | undefined {
   const name = mappingOf('keyboard').bindings[code];

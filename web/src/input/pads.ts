@@ -5,9 +5,9 @@
  * another device was moved first: this one then has the place.
  */
 
+import type { Action } from './action';
 import { type Deflection, sum, ZERO } from './deflection';
 import { Device } from './device';
-import type { Action } from './keymap';
 import type { Kind } from './mapping';
 import { checked, type Reading } from './reading';
 import { Rest } from './rest';

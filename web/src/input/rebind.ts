@@ -11,13 +11,11 @@ export interface Source {
 }
 
 /** Keys with a fixed function, and the sentence that rejects another function. */
-const FIXED: Readonly<Record<string, string>> = {
-  Space: 'Space always stops',
-  Escape: 'Esc always closes sheets',
-  Enter: 'Enter presses buttons and enters the mode',
-  NumpadEnter: 'Enter presses buttons and enters the mode',
-};
-const FIXED_USES = new Set(['stop', 'leave', 'enter']);
+const FIXED: ReadonlyMap<string, string> = new Map(
+  [...USES.values()].flatMap(({ fixed, keys }) =>
+    fixed === undefined ? [] : keys.map((key) => [key, `${fixed}: press another key.`] as const),
+  ),
+);
 
 const BROWSERS = new Set([
   'Tab',
@@ -34,7 +32,7 @@ const BROWSERS_PATTERN =
 
 /** Returns whether the keys of a function are fixed, so that no other key can have this function. */
 export function isFixed(kind: Kind, use: string): boolean {
-  return kind === 'keyboard' && FIXED_USES.has(use);
+  return kind === 'keyboard' && USES.get(use)?.fixed !== undefined;
 }
 
 /** Returns the reason why a key cannot be assigned, in a sentence; null if it can. */
@@ -44,7 +42,8 @@ export function keyRefusal(
   const { code } = event;
   if (event.ctrlKey || event.altKey || event.metaKey)
     return 'Keys with Ctrl, Alt or Meta belong to the browser: press a key alone.';
-  if (FIXED[code]) return `${FIXED[code]}: press another key.`;
+  const fixed = FIXED.get(code);
+  if (fixed !== undefined) return fixed;
   if (BROWSERS.has(code) || BROWSERS_PATTERN.test(code))
     return `${nameOfSource('keyboard', code)} belongs to the browser: press another key.`;
   if (!/^[A-Z][A-Za-z0-9]{1,15}$/.test(code)) return 'This key has no position code: press another key.';

@@ -114,14 +114,12 @@ export function buildParts(
   const desk: Desk = {
     welcome,
     send: (command) => operations.send(command),
+    act: (name) => operations.act({ name }),
     say: (text) => log.say(text),
   };
   const controlPage = new ControlPage(desk);
   const typewriter = new Console(transmit);
   const groups = deskGroups(desk, events, {
-    plane: () => operations.togglePlane(),
-    bending: () => operations.toggleBending(),
-    controlPage: () => controlPage.toggle(),
     flyOrbiter: (on) => operations.flyOrbiter(on),
     pulse: () => operations.togglePulse(),
     strips: () => operations.tearOff('strips'),

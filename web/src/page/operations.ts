@@ -1,23 +1,41 @@
 /** Effects of keys, buttons and lamps on the station and on the page. The effects of the sticks are not included. */
 
-import type { Action } from '../input/keymap';
+import type { Action } from '../input/action';
+import { perform } from '../input/keymap';
+import type { Acting } from '../input/uses/acting';
+import type { Frame } from '../link/protocol';
 import type { Command } from '../link/socket';
 import { setClass } from '../panel/parts/dom';
 import { outline } from '../panel/spine/concerns';
 import { LAMPS, type LampName } from '../panel/spine/lamps';
 import { BLOCKED, type Torn, tearOff } from '../windows/opened';
-import { act } from './commands';
 import type { Parts } from './parts';
 
 const RIGID = 'Nothing bends: the plant is not flexible.';
 const OBSERVING = 'Observing: only the operator can do that.';
 
-export class Operations {
+export class Operations implements Acting {
+  readonly pictures: Parts['pictures'];
+  readonly groups: Parts['groups'];
+  readonly light: Parts['light'];
+  readonly controlPage: Parts['controlPage'];
+  readonly console: Parts['console'];
+
   constructor(
     private readonly root: HTMLElement,
     private readonly parts: Parts,
     private readonly transmit: (command: Command) => number,
-  ) {}
+  ) {
+    this.pictures = parts.pictures;
+    this.groups = parts.groups;
+    this.light = parts.light;
+    this.controlPage = parts.controlPage;
+    this.console = parts.console;
+  }
+
+  get frame(): Frame | null {
+    return this.parts.arrivals.telemetry;
+  }
 
   /** Sends a command if this page is in control; otherwise logs that only the operator can do that. */
   send(command: Command): void {
@@ -48,11 +66,6 @@ export class Operations {
     const entered = arrivals.telemetry?.mode;
     const mode = welcome.modes.find(({ position }) => position === entered);
     if (mode?.kind === 'master') groups.meetMaster();
-  }
-
-  changeRate(): void {
-    const coarse = this.parts.arrivals.telemetry?.rate === 'coarse';
-    this.send({ type: 'select_rate', rate: coarse ? 'vernier' : 'coarse' });
   }
 
   /** Switches PULSE on or off for all devices of this page. */
@@ -117,24 +130,32 @@ export class Operations {
       : `The ${autopilot} is in control: move a stick to take over, then turn cameras.`;
   }
 
+  /** Assigns the THC to the orbiter, or to the arm. */
+  swapOrbiter(): void {
+    this.flyOrbiter(!this.parts.operator.sticks.flyingOrbiter);
+  }
+
+  enterMode(): void {
+    if (!this.groups.mode.enter()) this.parts.task.enterMode();
+  }
+
+  mute(): void {
+    const { tones } = this.parts;
+    tones.set({ muted: !tones.muted });
+  }
+
+  /** Closes all sheets and lists, and leaves the control in focus. */
+  leave(): void {
+    const { keys, controlPage, console, sheet, rail } = this.parts;
+    for (const each of [keys, controlPage, console, sheet, rail]) each.close();
+    if (document.activeElement instanceof HTMLElement) document.activeElement.blur();
+  }
+
   act(action: Action): void {
-    const { groups, pictures, light, controlPage, keys, sheet, rail, operator, tones, calm, task } =
-      this.parts;
+    const { calm, keys } = this.parts;
     calm.use(action.name === 'grip' ? action.grip : action.name);
-    act(action, {
-      ...{ groups, pictures, light, controlPage, keys },
-      sheets: [sheet, rail, this.parts.console],
-      stop: () => this.stop(),
-      changeRate: () => this.changeRate(),
-      enterMode: () => groups.mode.enter() || task.enterMode(),
-      holdRate: () => this.send({ type: 'rate_hold' }),
-      pulse: () => this.togglePulse(),
-      acknowledge: () => this.acknowledge(),
-      announce: () => this.send({ type: 'announce' }),
-      mute: () => tones.set({ muted: !tones.muted }),
-      showPlane: () => this.togglePlane(),
-      showBending: () => this.toggleBending(),
-      flyOrbiter: () => this.flyOrbiter(!operator.sticks.flyingOrbiter),
-    });
+    if (action.name === 'grip') this.groups.grip(action);
+    else if (action.name === 'keys') keys.toggle();
+    else perform(action.name, this);
   }
 }

@@ -1,9 +1,9 @@
 /** The operator's inputs: converts the devices' readings to sticks and actions, and centres the sticks if required. */
 
+import type { Action } from '../input/action';
 import { STILL, type Turning, turningOf } from '../input/camera-hand';
 import { Controllers } from '../input/controllers';
 import { isTyping } from '../input/keyboard';
-import type { Action } from '../input/keymap';
 import { Sticks } from '../input/sticks';
 import { mappingOf } from '../input/store';
 import { whenSwallowed } from '../input/swallowed';

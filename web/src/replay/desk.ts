@@ -16,13 +16,8 @@ export class FlownDesk {
   private past = 0;
 
   constructor(private readonly index: PlaybackIndex) {
-    const desk: Desk = { welcome: index.welcome, send() {}, say() {} };
-    this.groups = deskGroups(desk, this.events, {
-      plane() {},
-      bending() {},
-      controlPage() {},
-      flyOrbiter() {},
-    });
+    const desk: Desk = { welcome: index.welcome, send() {}, act() {}, say() {} };
+    this.groups = deskGroups(desk, this.events, { flyOrbiter() {} });
     this.element = el(
       'section',
       { class: 'desk', 'aria-label': 'Desk of the recorded run', inert: '' },

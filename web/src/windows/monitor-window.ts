@@ -2,8 +2,9 @@
 
 import type { Sharpness } from '../cameras/fineness';
 import { Pictures } from '../cameras/pictures';
+import type { Action } from '../input/action';
 import { Keyboard } from '../input/keyboard';
-import type { Action } from '../input/keymap';
+import { USES } from '../input/keymap';
 import { DelayLine } from '../link/delay-line';
 import { PolygonPictures, type PolygonSource } from '../link/polygon-pictures';
 import type { Frame, Welcome } from '../link/protocol';
@@ -163,11 +164,14 @@ export class Display {
     } else this.tether.say({ kind: 'show', monitor: what, names: pictures.monitors.shown[what] ?? [] });
   }
 
-  private act(action: Action): void {
-    if (action.name === 'camera') this.pictures.monitors.chooseDigit(action.number - 1, performance.now());
-    else if (action.name === 'cameraStep') this.pictures.monitors.step(action.by);
-    else if (action.name === 'split') this.pictures.monitors.toggleSplit();
-    else if (action.name === 'plane') this.pictures.togglePlane();
-    else if (action.name === 'bending') this.pictures.toggleBending();
+  private act({ name }: Action): void {
+    const does = USES.get(name)?.does;
+    const { pictures } = this;
+    if (does?.kind === 'view')
+      does.act({
+        pictures,
+        togglePlane: () => pictures.togglePlane(),
+        toggleBending: () => pictures.toggleBending(),
+      });
   }
 }

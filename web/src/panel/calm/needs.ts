@@ -4,15 +4,14 @@
  * (`mode PL`) or a camera (`camera WR`); nothing needs the name `full`.
  */
 
-import type { DeskGroup, ModeInfo, StepInfo } from '../../link/protocol';
+import { ROWS } from '../../input/keymap';
+import type { ModeInfo, StepInfo } from '../../link/protocol';
 import { LAMPS, type LampName } from '../spine/lamps';
 
 /** Groups with the displays and switches of functions. */
-const GROUP_OF: ReadonlyMap<string, DeskGroup | 'lens'> = new Map([
-  ...['close', 'open', 'latch'].map((use) => [use, 'effector'] as const),
-  ...['joint -', 'joint +', '-telescope', '+telescope', 'bending'].map((use) => [use, 'joints'] as const),
-  ...['-pan', '+pan', '-tilt', '+tilt', '-zoom', '+zoom'].map((use) => [use, 'lens'] as const),
-]);
+const GROUP_OF: ReadonlyMap<string, string> = new Map(
+  ROWS.flatMap(({ group, uses }) => (group ? uses.map(({ name }) => [name, group] as const) : [])),
+);
 
 /** Parts of the rail that belong to a lamp. */
 const IN_RAIL: Partial<Record<LampName, string>> = { 'LINK DELAY': 'delays', CONTROLLER: 'controllers' };

@@ -16,8 +16,7 @@ export interface ClearanceGroup extends Part {
   setPlane(on: boolean): void;
 }
 
-/** `plane` shows or hides the separating plane. */
-export function clearanceGroup({ welcome }: Desk, plane: () => void): ClearanceGroup {
+export function clearanceGroup({ welcome, act }: Desk): ClearanceGroup {
   const { work } = welcome;
   const number = el('b', { class: 'gap-value' });
   const unit = el('span', { class: 'unit' });
@@ -30,7 +29,7 @@ export function clearanceGroup({ welcome }: Desk, plane: () => void): ClearanceG
   const contacts = touching(welcome);
   const arm = el('span', { class: 'flag' }, 'Arm inhibit');
   const finger = el('span', { class: 'flag' }, 'Finger inhibit');
-  const planeKey = button({ class: 'more', 'data-calm': 'plane' }, ['Plane'], plane);
+  const planeKey = button({ class: 'more', 'data-calm': 'plane' }, ['Plane'], () => act('plane'));
   const element = group(
     'clearance',
     READOUTS.clearance.title,

@@ -3,76 +3,12 @@
 import { keyOf, learnLayout, nameOfSource } from '../../input/layout';
 import { type Kind, sourcesOf } from '../../input/mapping';
 import { mappingOf } from '../../input/store';
+import { FLYING } from '../../input/uses/flying';
+import { LEFT_HAND, RIGHT_HAND } from '../../input/uses/sticks';
+import { type Row, rowsFor } from '../../input/uses/use';
+import { WORKING } from '../../input/uses/working';
 import type { Welcome } from '../../link/protocol';
 import { button, el, setClass } from '../parts/dom';
-
-type Cap = readonly [use: string, does: string];
-
-const LEFT: readonly Cap[] = [
-  ['-Z', '−Z up'],
-  ['+X', '+X fwd'],
-  ['+Z', '+Z down'],
-  ['-Y', '−Y left'],
-  ['-X', '−X aft'],
-  ['+Y', '+Y right'],
-];
-
-const RIGHT: readonly Cap[] = [
-  ['-roll', '−roll'],
-  ['+pitch', '+pitch up'],
-  ['+roll', '+roll'],
-  ['-yaw', '−yaw left'],
-  ['-pitch', '−pitch dn'],
-  ['+yaw', '+yaw right'],
-];
-
-type Row = readonly [uses: readonly string[], does: string, pad?: 'no pad'];
-
-/** Rows for the arm and the cameras: functions, and their effects. */
-const FLYING: readonly Row[] = [
-  [['stop'], 'stop: centre the sticks, stop a sequence'],
-  [['brakes'], 'brakes on; held 0.5 s: off'],
-  [['rate', 'rate hold'], 'coarse or vernier; rate hold, or cancel'],
-  [['pulse'], 'held, or a button: each push moves 0.1 in, 0.1°'],
-  [['mode -', 'mode +', 'enter'], 'turn the mode rotary, enter the mode'],
-  [['joint -', 'joint +'], 'joint in SINGLE, DIRECT; THC X drives it'],
-  [['proceed'], 'proceed: start, or continue after a pause'],
-  [['otherMonitor'], 'select the other monitor, or half'],
-  [['camera 1', 'camera 10'], 'camera 1 to 10; twice: camera 11 to 20'],
-  [['cameraStep -', 'cameraStep +', 'offered pair'], 'previous, next camera; offered pair'],
-  [['-pan', '+tilt', '+zoom'], 'and opposites: pan, tilt, zoom'],
-  [['slow camera'], 'cameras turn slowly'],
-  [['matrix', 'split'], 'all cameras, and back; split'],
-  [['light', 'lock exposure'], 'sun and lamps; lock the exposure'],
-];
-
-/** Returns the rows for this arm's end effector, the worksite and the panel: functions, and their effects. */
-export function working({
-  work: { hand, stand },
-  flexures,
-}: Pick<Welcome, 'flexures' | 'work'>): readonly Row[] {
-  const prong: readonly Row[] = [
-    [['close'], 'held 0.3 s: the prong closes'],
-    [['open'], 'held 1 s: the prong opens'],
-    [['close', 'open'], 'while the prong moves: either stops it', 'no pad'],
-  ];
-  const snares: readonly Row[] = [
-    [['close'], 'held 0.3 s: capture'],
-    [['open'], 'held 1 s: release'],
-  ];
-  return [
-    ...(hand === 'prong' ? prong : snares),
-    [['latch'], 'held 1 s: latch the payload in its berth, or unlatch'],
-    [['safing', 'position hold'], 'safing, position hold; again: off'],
-    [['plane'], 'separating plane in the pictures'],
-    ...(flexures.length > 0 ? ([[['bending'], 'bending exaggerated in the pictures']] as const) : []),
-    [['acknowledge', 'mute'], 'acknowledge the master alarm; sounds off, on'],
-    [['announce'], 'announce a clearance problem: it is logged'],
-    [['control page'], 'PDRS control: target, stored points, payloads'],
-    ...(stand ? ([[['-telescope', '+telescope'], 'telescope shorter, longer']] as const) : []),
-    [['fly orbiter'], 'assign the THC to the orbiter, or to the arm'],
-  ];
-}
 
 export class KeyMap {
   readonly element = el('dialog', {
@@ -117,13 +53,18 @@ export class KeyMap {
     this.caps = new Map();
     this.element.replaceChildren(
       el('h2', { class: 'unseen' }, 'Key map'),
-      el('div', { class: 'hands' }, this.hand('Left hand moves', LEFT), this.hand('Right hand turns', RIGHT)),
+      el(
+        'div',
+        { class: 'hands' },
+        this.hand('Left hand moves', LEFT_HAND),
+        this.hand('Right hand turns', RIGHT_HAND),
+      ),
       el('div', {}, el('h3', {}, 'Arm and cameras'), this.table(FLYING)),
       el(
         'div',
         { class: 'working' },
         el('h3', {}, 'End effector, worksite, panel'),
-        this.table(working(this.welcome)),
+        this.table(WORKING),
         el('p', {}, 'MASTER: arrow keys move the focused slider by 0.5°, Page up and Page down by 5°.'),
         el(
           'p',
@@ -140,13 +81,12 @@ export class KeyMap {
     );
   }
 
-  private hand(title: string, keys: readonly Cap[]): HTMLElement {
-    const caps = keys.map(([use, does]) => {
-      const cap = this.cap(use);
-      cap.append(el('small', {}, does));
-      return cap;
-    });
-    const pad = [...new Set(keys.flatMap(([use]) => sources('pad', use)))];
+  private hand(title: string, rows: readonly Row[]): HTMLElement {
+    const uses = rows.flatMap(capsOf);
+    const caps = rowsFor(this.welcome, rows).flatMap(([row, help]) =>
+      capsOf(row).map((use) => this.cap(use, help)),
+    );
+    const pad = [...new Set(uses.flatMap((use) => sources('pad', use)))];
     return el(
       'div',
       {},
@@ -157,31 +97,37 @@ export class KeyMap {
   }
 
   private table(rows: readonly Row[]): HTMLElement {
-    const lines = rows.map(([uses, does, noPad]) => {
-      const pad = noPad ? '' : together(uses.flatMap((use) => sources('pad', use)));
+    const lines = rowsFor(this.welcome, rows).map(([row, help]) => {
+      // The buttons of a row without functions of its own are in other rows.
+      const pad = row.uses.length > 0 ? together(capsOf(row).flatMap((use) => sources('pad', use))) : '';
       return el(
         'tr',
         {},
-        el('th', { scope: 'row' }, ...this.row(uses)),
-        el('td', {}, does),
+        el('th', { scope: 'row' }, ...this.keysOf(row)),
+        el('td', {}, help),
         el('td', { class: 'pad' }, pad && `pad ${pad}`),
       );
     });
     return el('table', {}, ...lines);
   }
 
-  private row(uses: readonly string[]): (Node | string)[] {
-    const caps = uses.map((use) => this.cap(use));
-    return uses[0] === 'camera 1' ? [caps[0] ?? '', ' … ', caps[1] ?? ''] : caps;
+  private keysOf(row: Row): (Node | string)[] {
+    const caps = capsOf(row).map((use) => this.cap(use));
+    return row.range ? [...caps.slice(0, 1), ' … ', ...caps.slice(-1)] : caps;
   }
 
-  private cap(use: string): HTMLElement {
-    const cap = el('kbd', {}, el('b', {}, keyOf(use) || '–'));
+  private cap(use: string, help = ''): HTMLElement {
+    const cap = el('kbd', {}, el('b', {}, keyOf(use) || '–'), ...(help ? [el('small', {}, help)] : []));
     for (const code of sourcesOf(mappingOf('keyboard'), use)) {
       this.caps.set(code, [...(this.caps.get(code) ?? []), cap]);
     }
     return cap;
   }
+}
+
+/** Returns the functions whose keys a row shows. */
+function capsOf({ caps, uses }: Row): readonly string[] {
+  return caps ?? uses.map(({ name }) => name);
 }
 
 function sources(kind: Kind, use: string): readonly string[] {

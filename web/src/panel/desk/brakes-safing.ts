@@ -1,9 +1,10 @@
 /** BRAKES, SAFING and POSITION HOLD, and above them the name of the device or operator that moves the sticks. */
 
-import type { GripAction } from '../../input/keymap';
-import { button, el, setAttribute, setClass, setPressed, setText } from '../parts/dom';
+import type { GripAction } from '../../input/action';
+import { el, setAttribute, setClass, setPressed, setText } from '../parts/dom';
 import { holdButton } from '../parts/hold-button';
 import type { Desk, View } from '../parts/part';
+import { switchButton } from '../parts/switch-button';
 
 /** Time for which the switch must be held to release the brakes [s]. To set them, a press is sufficient. */
 const OFF_S = 0.5;
@@ -12,54 +13,35 @@ export interface BrakesSafing {
   readonly element: HTMLElement;
   /** Called when the key or button of the brakes is pressed or released. */
   grip(action: GripAction): void;
-  /** Switches SAFING on, or cancels it. */
-  safe(): void;
-  /** Switches POSITION HOLD on or off. */
-  hold(): void;
   bars(view: View): void;
   values(view: View): void;
 }
 
 export function brakesSafing(desk: Desk): BrakesSafing {
   let on = false;
-  let safed = false;
-  let holding = false;
   const release = () => desk.send({ type: 'brakes', on: false });
   const brakes = holdButton('Brakes', 'brakes', OFF_S, release, () => {
     if (!on) desk.send({ type: 'brakes', on: true });
     return on;
   });
-  const safe = () => desk.send({ type: 'safing', on: !safed });
-  const hold = () => desk.send({ type: 'position_hold', on: !holding });
-  const [safingKey, holdKey] = [el('small'), el('small')];
-  const safing = button(
-    {
-      class: 'safing',
-      'data-calm': 'safing',
-      title: 'Command zero joint rates until cancelled',
-    },
-    [el('b', {}, 'Safing'), ' ', safingKey],
-    safe,
-  );
-  const positionHold = button(
-    {
-      class: 'hold',
-      'data-calm': 'position hold',
-      title: 'Hold position and attitude while the sticks are centred',
-    },
-    [el('b', {}, 'Pos hold'), ' ', holdKey],
-    hold,
-  );
+  const safing = switchButton(desk, 'safing', {
+    kind: 'safing',
+    label: 'Safing',
+    title: 'Command zero joint rates until cancelled',
+  });
+  const positionHold = switchButton(desk, 'position hold', {
+    kind: 'hold',
+    label: 'Pos hold',
+    title: 'Hold position and attitude while the sticks are centred',
+  });
   setAttribute(brakes.element, 'data-calm', 'brakes');
   const device = el('p', { class: 'device' });
   return {
-    element: el('div', { class: 'standing' }, device, brakes.element, safing, positionHold),
+    element: el('div', { class: 'standing' }, device, brakes.element, safing.element, positionHold.element),
     grip({ down, at }) {
       if (down) brakes.press(at);
       else brakes.lift(at);
     },
-    safe,
-    hold,
     bars: ({ controllers }) => brakes.tick(controllers.names),
     values({ frame, flying, flier, controllers }) {
       const lost = controllers.gone.thc ?? controllers.gone.rhc;
@@ -69,15 +51,11 @@ export function brakesSafing(desk: Desk): BrakesSafing {
       setAttribute(device, 'title', words);
       setClass(device, 'lost', flying && lost !== null);
       on = frame.brakes;
-      safed = frame.safing;
-      holding = frame.position_hold;
       setPressed(brakes.element, on);
-      setPressed(safing, safed);
-      setPressed(positionHold, holding);
-      setText(safingKey, controllers.names.short('safing'));
-      setText(holdKey, controllers.names.short('position hold'));
+      safing.set(frame.safing, controllers.names);
+      positionHold.set(frame.position_hold, controllers.names);
       setClass(brakes.element, 'caution', on);
-      setClass(safing, 'caution', safed);
+      setClass(safing.element, 'caution', frame.safing);
       setAttribute(
         brakes.element,
         'title',

@@ -1,6 +1,6 @@
 /** Groups of the desk, live and in a replay: their order, and which groups are visible in each mode. */
 
-import type { GripAction } from '../../input/keymap';
+import type { GripAction } from '../../input/action';
 import { clearanceGroup } from '../clearance/clearance';
 import { conditionsGroup } from '../clearance/conditions';
 import { cargoGroup } from '../effector/cargo';
@@ -21,12 +21,6 @@ import { singularity } from './singularity';
 import { thc } from './thc';
 
 export interface DeskListener {
-  /** Shows or hides the separating plane. */
-  plane(): void;
-  /** Draws bending exaggerated, or as it is. */
-  bending(): void;
-  /** Opens or closes the page PDRS control. */
-  controlPage(): void;
   /** Assigns the THC to the orbiter, or to the arm. */
   flyOrbiter(on: boolean): void;
   /** Switches PULSE on or off; undefined in a replay. */
@@ -43,10 +37,6 @@ export interface Groups {
   setPlane(on: boolean): void;
   setBending(on: boolean): void;
   grip(action: GripAction): void;
-  /** Switches SAFING on, or cancels it. */
-  safe(): void;
-  /** Switches POSITION HOLD on or off. */
-  holdPosition(): void;
   /** Sets the master arm to the arm's angles. */
   meetMaster(): void;
   bars(view: View): void;
@@ -56,18 +46,18 @@ export interface Groups {
 export function deskGroups(desk: Desk, events: EventsGroup, listener: DeskListener): Groups {
   const target = targetGroup(desk);
   const master = masterGroup(desk);
-  const mode = modeGroup(desk, () => target.proceed());
-  const clearance = clearanceGroup(desk, () => listener.plane());
+  const mode = modeGroup(desk);
+  const clearance = clearanceGroup(desk);
   const { strips } = listener;
   if (strips) clearance.element.querySelector('h2 .about')?.after(stripsKey(strips));
   const effector = effectorGroup(desk);
-  effector.element.querySelector('h2')?.append(pageKey(() => listener.controlPage()));
+  effector.element.querySelector('h2')?.append(pageKey(() => desk.act('control page')));
   const [acting, cargo, conditions] = [limits(desk), cargoGroup(desk), conditionsGroup()];
   const ahead = lookAhead(desk);
   const resting = el('div', { class: 'resting' }, acting.element, cargo.element);
   const still = brakesSafing(desk);
   const [sticks, turns] = [thc(desk, (on) => listener.flyOrbiter(on), listener.pulse), rhc()];
-  const own = joints(desk, () => listener.bending());
+  const own = joints(desk);
   const upper = [sticks, mode, resolution(desk), own, master, clearance, target, turns];
   const last = singularity(desk);
   const parts = [...upper, still, effector, acting, cargo, ahead, conditions, last];
@@ -117,8 +107,6 @@ export function deskGroups(desk: Desk, events: EventsGroup, listener: DeskListen
     setPlane: (on) => clearance.setPlane(on),
     setBending: (on) => own.setBending(on),
     grip: (action) => (action.grip === 'brakes' ? still : effector).grip(action),
-    safe: () => still.safe(),
-    holdPosition: () => still.hold(),
     meetMaster: () => master.meet(),
     bars(view) {
       for (const part of parts) part.bars?.(view);

@@ -17,10 +17,9 @@ export interface ModeGroup extends Part {
   inView(): ModeInfo | undefined;
 }
 
-/** `proceed`: action of the PROCEED key. */
-export function modeGroup(desk: Desk, proceed: () => void): ModeGroup {
+export function modeGroup(desk: Desk): ModeGroup {
   const positions = rotary(desk);
-  const below = switches(desk, proceed);
+  const below = switches(desk);
   const element = group('mode', 'Mode', positions.element, below.element);
   const infoOf = (name: string) => desk.welcome.modes.find(({ position }) => position === name);
   return {

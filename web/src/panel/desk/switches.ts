@@ -19,7 +19,7 @@ export interface Switches {
   turnJoint(by: number): void;
 }
 
-export function switches(desk: Desk, proceed: () => void): Switches {
+export function switches(desk: Desk): Switches {
   const count = desk.welcome.joints.length;
   let joint = 0;
   let inPayloadAxes = false;
@@ -45,7 +45,7 @@ export function switches(desk: Desk, proceed: () => void): Switches {
   const sequence = el(
     'div',
     { class: 'switch sequence', 'data-calm': 'proceed' },
-    button({ class: 'proceed' }, ['Proceed', ready], proceed),
+    button({ class: 'proceed' }, ['Proceed', ready], () => desk.act('proceed')),
     button({ class: 'stop' }, ['Stop', running], () => desk.send({ type: 'stop' })),
   );
   const joints = desk.welcome.joints.map(({ label }, index) =>

@@ -21,7 +21,7 @@ export function thc(desk: Desk, flyOrbiter: (on: boolean) => void, pulse?: () =>
   const hold = button(
     { class: 'hold', title: 'Keep the present rates while the sticks are centred', 'data-calm': 'rate hold' },
     ['Rate hold'],
-    () => desk.send({ type: 'rate_hold' }),
+    () => desk.act('rate hold'),
   );
   const pulses = button({ class: 'hold', title: PULSE, 'data-calm': 'pulse' }, ['Pulse'], () => pulse?.());
   const arm = button({}, ['Arm'], () => flyOrbiter(false));

@@ -1,6 +1,6 @@
 /** The end effector: its switches and flags, and the latches of a berth. The buttons act only after a hold. */
 
-import type { GripAction } from '../../input/keymap';
+import type { GripAction } from '../../input/action';
 import type { Display, Frame, PayloadInfo, Work } from '../../link/protocol';
 import { fixed } from '../../words/format';
 import { motionWords, TELESCOPE } from '../../words/motion-words';

@@ -17,8 +17,7 @@ export interface JointsGroup extends Part {
   setBending(on: boolean): void;
 }
 
-/** `bending` draws bending exaggerated, or as it is. */
-export function joints(desk: Desk, bending: () => void): JointsGroup {
+export function joints(desk: Desk): JointsGroup {
   const rows = desk.welcome.joints.map((joint) => {
     // A hollow mark above the bar. It hides the pointer's stem if both have the same position.
     const commanded = svg('path', { class: 'commanded', d: 'M-3.8 0 H3.8 L0 6.4 Z' });
@@ -73,7 +72,9 @@ export function joints(desk: Desk, bending: () => void): JointsGroup {
     ),
   );
   setClass(element, 'loaded', loaded);
-  const bendKey = button({ class: 'more', title: BENDING }, [`Bend × ${EXAGGERATION}`], bending);
+  const bendKey = button({ class: 'more', title: BENDING }, [`Bend × ${EXAGGERATION}`], () =>
+    desk.act('bending'),
+  );
   if (desk.welcome.flexures.length > 0) element.querySelector('h2')?.append(bendKey);
   return {
     element,

@@ -1,8 +1,8 @@
 /** A button that acts after it has been held for a set time, by pointer, by Enter, or by its assigned key. */
 
+import type { Grip } from '../../input/action';
 import type { Names } from '../../input/active-device';
 import { Hold } from '../../input/hold';
-import type { Grip } from '../../input/keymap';
 import { onPress } from '../../input/press';
 import { el, setAttribute, setText } from './dom';
 

@@ -2,7 +2,7 @@
 
 import type { ControllersShown } from '../../input/controllers';
 import type { Deflection } from '../../input/deflection';
-import type { Frame, Welcome } from '../../link/protocol';
+import type { Frame, Use, Welcome } from '../../link/protocol';
 import type { Command } from '../../link/socket';
 import type { Units } from '../../words/units';
 
@@ -34,6 +34,8 @@ export interface Part {
 export interface Desk {
   readonly welcome: Welcome;
   send(command: Command): void;
+  /** Does what the key of a function does. */
+  act(use: Use): void;
   /** Adds a line to the page's log. */
   say(text: string): void;
 }
