@@ -103,7 +103,7 @@ export const WORKING: readonly Row[] = [
       {
         name: 'console',
         label: 'console',
-        keys: ['Quote'],
+        keys: ['Numpad0'],
         does: once((page) => page.console.toggle()),
       },
     ],
