@@ -30,7 +30,9 @@ def changing(scenario: Scenario) -> list[Entry]:
     return [entry for entry in key_list(scenario).values() if entry.changes and _given(entry) is not None]
 
 
-def random_change(rng: random.Random, entries: list[Entry], try_it: Callable[[dict[str, str]], None]) -> dict[str, str]:
+def random_change(
+    rng: random.Random, entries: list[Entry], try_it: Callable[[dict[str, str]], object]
+) -> dict[str, str]:
     """Return a random change that is allowed.
 
     Args:
@@ -47,6 +49,11 @@ def random_change(rng: random.Random, entries: list[Entry], try_it: Callable[[di
             continue
         return change
     raise AssertionError("200 random changes were refused")
+
+
+def texts(changes: dict[str, Any]) -> dict[str, str]:
+    """Return changes with their values as texts."""
+    return {key: value if isinstance(value, str) else _text(value) for key, value in changes.items()}
 
 
 def _given(entry: Entry) -> Any:

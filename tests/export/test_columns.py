@@ -42,7 +42,7 @@ def fields(joints: int = 6) -> dict[str, st.SearchStrategy[Any]]:
         "target": st.none() | st.builds(Target, st.tuples(*[number] * 3), rows, st.none() | angles),
         "disturbances": st.just(()),
         "changes": st.just({}),
-        "script": st.just(False),  # noqa: FBT003
+        "script": st.just(False),
         "camera": st.none() | st.builds(CameraDrive, st.sampled_from(DRIVEN), stick, stick, stick, st.booleans()),
     }
 

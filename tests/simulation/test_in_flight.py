@@ -21,7 +21,7 @@ from aftdeck.scenario.load import in_force, load_scenario, parse_scenario
 from aftdeck.scenario.model import Scenario
 from aftdeck.simulation.run import Simulation
 from tests.each import each, seeds
-from tests.legal_changes import changing, random_change
+from tests.legal_changes import changing, random_change, texts
 
 ARMS = "srms-berth", "concept-1972"
 
@@ -101,9 +101,9 @@ def test_run_with_random_changes_replays_equal(seed: int, tmp_path: Path) -> Non
     sim, path = Simulation(scenario(name)), tmp_path / f"{seed}.mcap"
     entries, recorder = changing(sim.scenario), Recorder(path, sim.scenario, sim.seed)
     for tick in range(120):
-        sticks = tuple(rng.choice((-1.0, 0.0, 1.0)) for _ in range(3))
+        x, y, z = (rng.choice((-1.0, 0.0, 1.0)) for _ in range(3))
         change = random_change(rng, entries, sim.prepare) if tick % 20 == 10 else {}
-        frame = sim.step(inputs := Inputs(translation=sticks, changes=change))
+        frame = sim.step(inputs := Inputs(translation=(x, y, z), changes=change))
         recorder.step(inputs, frame)
     recorder.close("stopped")
     verdict = verify(path)
@@ -128,7 +128,7 @@ def test_refused_change_leaves_the_run_as_it_was() -> None:
         ({"mode": "SINGLE"}, "switch of the panel"),
     ):
         with pytest.raises(InputError, match=words):
-            sim.step(Inputs(changes=changes))
+            sim.step(Inputs(changes=texts(changes)))
         assert sim.save() == before
 
 
@@ -140,9 +140,9 @@ def test_stop_may_not_be_set_where_the_arm_is_not() -> None:
         for i, name in enumerate(("hard", "soft", "reach"))
     }
     with pytest.raises(InputError, match="outside the new limits"):
-        sim.step(Inputs(changes=far))
+        sim.step(Inputs(changes=texts(far)))
     near = {name: [least - 0.3, most] for name, (least, most) in far.items()}
-    frame = sim.step(Inputs(changes=near))
+    frame = sim.step(Inputs(changes=texts(near)))
     assert sim.in_force.arm.limits.soft[0].tolist() == near["arm.joint[0].soft"]
     assert len(frame.changes) == 3
 
@@ -161,13 +161,13 @@ def test_free_payload_is_put_in_its_place_and_a_held_one_is_not() -> None:
     sim = Simulation(scenario("free-flyer"))
     sim.step(Inputs())
     before = sim.look().work.cargo[0].position
-    frame = sim.step(Inputs(changes={"cargo[0].start.position": ["31 ft", "1 ft", "12 ft"]}))
+    frame = sim.step(Inputs(changes=texts({"cargo[0].start.position": ["31 ft", "1 ft", "12 ft"]})))
     moved = frame.work.cargo[0].position
     assert sum((a - b) ** 2 for a, b in zip(before, moved, strict=True)) ** 0.5 > 0.1
     held = Simulation(scenario("srms-berth"))
     held.step(Inputs())
     with pytest.raises(InputError, match=r"held|berth"):
-        held.step(Inputs(changes={"cargo[0].start.position": ["1 m", "0 m", "5 m"]}))
+        held.step(Inputs(changes=texts({"cargo[0].start.position": ["1 m", "0 m", "5 m"]})))
 
 
 EVENTS = """

@@ -214,7 +214,7 @@ def _angle(name: str, part: str) -> _Pair:
 
     def write(run: Run, value: float) -> dict[str, str]:
         run.camera(name)
-        return {f"cameras.{name}.{part}": repr(value)}
+        return {f"cameras.{name}.{part}": f"{value:.12g}"}
 
     return read, write
 
@@ -253,7 +253,7 @@ def _telescope_top(i: int) -> _Pair:
     def write(run: Run, value: float) -> dict[str, str]:
         if i != _Z:
             raise InputError("the telescope slides along Z: its X and Y are 0 and cannot be written")
-        return {f"{run.key_of_joint('telescope')}.least.value": repr(-value * FOOT)}
+        return {f"{run.key_of_joint('telescope')}.least.value": f"{-value * FOOT:.12g}"}
 
     return read, write
 
@@ -276,7 +276,7 @@ def _finger(*, outer: bool) -> _Pair:
         return (prong.least - by) / FOOT
 
     def write(run: Run, value: float) -> dict[str, str]:
-        return {f"{run.key_of_joint('prong')}.least.value": repr(value * FOOT + offset(run))}
+        return {f"{run.key_of_joint('prong')}.least.value": f"{value * FOOT + offset(run):.12g}"}
 
     return read, write
 
@@ -293,7 +293,7 @@ def _slide_rate(driver: str, name: str) -> _Pair:
 
     def write(run: Run, value: float) -> dict[str, str]:
         rate = sign * value * FOOT / run.scenario.control_period
-        return {f"{run.key_of_joint(driver)}.rate.value": repr(rate)}
+        return {f"{run.key_of_joint(driver)}.rate.value": f"{rate:.12g}"}
 
     return read, write
 
@@ -309,7 +309,7 @@ def _drive_rate(name: str, *parts: str) -> _Pair:
         return sign * float(travel.rate) * run.scenario.control_period
 
     def write(run: Run, value: float) -> dict[str, str]:
-        rate = repr(sign * value / run.scenario.control_period)
+        rate = f"{sign * value / run.scenario.control_period:.12g}"
         drives = contents_of(text_of(run.scenario, WORKSITE)).get("drive", [])
         return {
             f"worksite.drive[{k}].{part}.rate": rate for k, one in enumerate(drives) for part in parts if part in one
@@ -351,7 +351,7 @@ def _relative(pose: np.ndarray, at: list[float]) -> list[float]:
 
 
 def _list(values: list[float]) -> str:
-    return "[" + ", ".join(map(repr, values)) + "]"
+    return "[" + ", ".join(f"{value:.12g}" for value in values) + "]"
 
 
 _TABLE = _table()

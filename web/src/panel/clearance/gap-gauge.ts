@@ -3,7 +3,7 @@
 import type { WorkInfo } from '../../link/protocol';
 import { small } from '../../words/format';
 import type { Units } from '../../words/units';
-import { el, setAttribute, setText, svg } from '../parts/dom';
+import { el, setAttribute, setStyle, setText, svg } from '../parts/dom';
 import { FARTHEST, NEAREST, placeOf } from './gap-scale';
 
 /** Length of the gauge. */
@@ -16,16 +16,27 @@ export interface GapGauge {
   setUnits(units: Units): void;
 }
 
-/** `caution` and `warning`: the thresholds [m]. */
-export function gapGauge({ caution, warning }: Pick<WorkInfo, 'caution' | 'warning'>): GapGauge {
+/** `thresholds`: clearances of caution and warning [m]; changes in flight can change them. */
+export function gapGauge(thresholds: Pick<WorkInfo, 'caution' | 'warning'>): GapGauge {
   const at = (clearance: number) => placeOf(clearance) * LENGTH;
-  const zone = (name: string, from: number, to: number) =>
-    svg('rect', { class: name, x: String(at(from)), width: String(at(to) - at(from)), y: '4', height: '6' });
+  const zone = (name: string) => svg('rect', { class: name, y: '4', height: '6' });
+  const [near, reach] = [zone('near'), zone('reach')];
+  const span = (rect: SVGElement, from: number, to: number) => {
+    setAttribute(rect, 'x', String(at(from)));
+    setAttribute(rect, 'width', String(Math.max(at(to) - at(from), 0)));
+  };
   const pointer = svg('path', { class: 'pointer', d: 'M0 9 L4.5 17 H-4.5 Z M-1 1 H1 V10 H-1 Z' });
-  const marks = [NEAREST, warning, caution, FARTHEST].map((clearance) => {
-    const place = `left: ${((at(clearance) / LENGTH) * 100).toFixed(2)}%`;
-    return { clearance, label: el('span', { style: place }) };
-  });
+  const marked = () => [NEAREST, thresholds.warning, thresholds.caution, FARTHEST];
+  const marks = marked().map(() => el('span'));
+  const draw = () => {
+    span(near, NEAREST, thresholds.warning);
+    span(reach, thresholds.warning, thresholds.caution);
+    marked().forEach((clearance, i) => {
+      const mark = marks[i];
+      if (mark) setStyle(mark, `left: ${((at(clearance) / LENGTH) * 100).toFixed(2)}%`);
+    });
+  };
+  draw();
   const element = el(
     'div',
     { class: 'gap-scale' },
@@ -33,15 +44,11 @@ export function gapGauge({ caution, warning }: Pick<WorkInfo, 'caution' | 'warni
       'svg',
       { viewBox: `-5 0 ${LENGTH + 10} 18`, preserveAspectRatio: 'none', 'aria-hidden': 'true' },
       svg('rect', { class: 'track', x: '0', y: '4', width: String(LENGTH), height: '6' }),
-      zone('near', NEAREST, warning),
-      zone('reach', warning, caution),
+      near,
+      reach,
       pointer,
     ),
-    el(
-      'div',
-      { class: 'marks', 'aria-hidden': 'true', 'data-calm': 'clearance' },
-      ...marks.map(({ label }) => label),
-    ),
+    el('div', { class: 'marks', 'aria-hidden': 'true', 'data-calm': 'clearance' }, ...marks),
   );
   return {
     element,
@@ -50,8 +57,10 @@ export function gapGauge({ caution, warning }: Pick<WorkInfo, 'caution' | 'warni
       setAttribute(pointer, 'transform', `translate(${at(clearance ?? 0).toFixed(1)} 0)`);
     },
     setUnits({ gap }) {
-      marks.forEach(({ clearance, label }, i) => {
-        setText(label, i === 0 ? `${small(clearance, gap)} ${gap.name}` : small(clearance, gap));
+      draw();
+      marked().forEach((clearance, i) => {
+        const mark = marks[i];
+        if (mark) setText(mark, i === 0 ? `${small(clearance, gap)} ${gap.name}` : small(clearance, gap));
       });
     },
   };

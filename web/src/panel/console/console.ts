@@ -10,7 +10,7 @@ const MOST_LINES = 400;
 
 export class Console {
   private readonly output = el('div', { class: 'lines', role: 'log', 'aria-label': 'Answers' });
-  private readonly choices = el('p', { class: 'choices', 'aria-live': 'polite' });
+  private readonly choices = el('p', { class: 'words', 'aria-live': 'polite' });
   private readonly input = el('input', {
     type: 'text',
     'aria-label': 'Line for the console',

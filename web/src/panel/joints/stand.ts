@@ -15,7 +15,8 @@ export interface StandRow {
   set(length: number, units: Units, names: Names): void;
 }
 
-export function standRow({ least, greatest }: StandInfo): StandRow {
+/** `limits`: least and greatest length, which changes in flight can change. */
+export function standRow(limits: StandInfo): StandRow {
   const unit = el('i');
   const value = el('td', { class: 'angle' });
   const keys = [el('small'), el('small')] as const;
@@ -42,14 +43,14 @@ export function standRow({ least, greatest }: StandInfo): StandRow {
   return {
     element,
     point(length) {
-      const part = (length - least) / (greatest - least);
+      const part = (length - limits.least) / (limits.greatest - limits.least);
       setAttribute(pointer, 'transform', `translate(${(part * BAR).toFixed(2)} 0)`);
     },
     set(length, units, names) {
       const shown = (metres: number) => fixed(metres * units.length.perSi, units.length.decimals, false);
       setText(unit, units.length.name);
       setText(value, shown(length));
-      setAttribute(scale, 'title', `Telescope: ${shown(least)} to ${shown(greatest)} ${units.length.name}`);
+      setAttribute(scale, 'title', `Telescope: ${shown(limits.least)} to ${shown(limits.greatest)} ${units.length.name}`);
       setText(keys[0], `${names.short('+telescope')} longer`);
       setText(keys[1], `${names.short('-telescope')} shorter`);
     },
