@@ -66,6 +66,10 @@ def fly(
     ] = None,
     plant: PlantName = None,
     seed: Seed = None,
+    console: Annotated[
+        bool,
+        typer.Option("--console", help="Read lines for the console here: print and set values while the run lasts."),
+    ] = False,
 ) -> None:
     """Start the station and operate a scenario in the browser."""
     from aftdeck.cli.autopilots import operator_flight, policy_flight
@@ -110,6 +114,7 @@ def fly(
         record=record,
         trial=own_trial,
         viewers=foxglove,
+        console=console,
     )
 
 

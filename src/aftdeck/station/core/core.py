@@ -181,8 +181,7 @@ class Core:
                 typed = self.type_line(message.line, message.seq, may_set=page == self.desk.roles.operator)
                 return (Answer(page, typed),)
             case from_page.CompleteLine():
-                words = typewriter.completions(message.line, self._now())
-                return (Answer(page, to_page.Completed(message.seq, words)),)
+                return (Answer(page, to_page.Completed(message.seq, self.complete_line(message.line))),)
             case _:
                 return self.desk.receive(page, message)
 
@@ -199,6 +198,10 @@ class Core:
             return to_page.Typed(seq, tuple(str(error).splitlines()), refused=True)
         done = tuple(f"{key} = {value}" for key, value in answer.changes.items())
         return to_page.Typed(seq, (*answer.lines, *done), refused=False)
+
+    def complete_line(self, line: str) -> tuple[str, ...]:
+        """Return the words with which the last word of a line on the console can go on."""
+        return typewriter.completions(line, self._now())
 
     def prepare(self, line: str) -> None:
         """Do the work for a line on the console that takes long and changes nothing, so that `receive` is quick.

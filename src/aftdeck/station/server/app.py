@@ -24,6 +24,7 @@ from aftdeck.station.server.sheets import SheetRoutes
 from aftdeck.station.server.terse_log import log
 from aftdeck.station.server.waiting import Waiting
 from aftdeck.station.session.preparation import Preparation
+from aftdeck.station.session.session import Session
 
 CONNECTIONS_PER_SECOND, CONNECTIONS_AT_ONCE = 20.0, 64.0
 """Pages that connect per second over a long time, and at once; others wait, at most `LONGEST_WAIT`.
@@ -47,6 +48,8 @@ def make_app(
     At startup the app starts the preparation. When the preparation has made the first session, the app starts this
     session. At shutdown the app closes the present session.
 
+    `app.state.session` is a function that returns the present session, or None before there is one.
+
     Args:
         preparation: preparation of the first session.
         access: names under which pages may address the server, and the keys that they need.
@@ -55,6 +58,10 @@ def make_app(
         for_page: whether the first run waits until the page in control has drawn it.
     """
     waiting = Waiting(preparation, failed, for_page=for_page)
+
+    def session() -> Session | None:
+        return waiting.pages.session if waiting.pages else None
+
     recordings = Recordings(record, lambda: waiting.pages.session.file if waiting.pages else None) if record else None
 
     @contextlib.asynccontextmanager
@@ -88,4 +95,6 @@ def make_app(
         routes += recordings.routes()
     if (STATIC / "index.html").is_file():
         routes.append(Mount("/", PageFiles(directory=STATIC, html=True)))
-    return keep_to_own(Starlette(routes=routes, lifespan=lifespan), access)
+    app = Starlette(routes=routes, lifespan=lifespan)
+    app.state.session = session
+    return keep_to_own(app, access)

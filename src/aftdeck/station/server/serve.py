@@ -25,6 +25,7 @@ from aftdeck.station.core.autopilot import Autopilots
 from aftdeck.station.messages.kinds import MAX_MESSAGE_BYTES
 from aftdeck.station.server.access import Access, access_of, shown_host
 from aftdeck.station.server.app import make_app
+from aftdeck.station.server.console import TerminalConsole
 from aftdeck.station.server.guard import BACKLOG, MAX_REQUEST, GuardedHttp, GuardedSocket
 from aftdeck.station.server.terse_log import install
 from aftdeck.station.session.preparation import Preparation
@@ -56,6 +57,7 @@ def serve(
     record: Path | None = None,
     trial: Trial = NO_TRIAL,
     viewers: int | None = None,
+    console: bool = False,
 ) -> None:
     """Serve a scenario until interrupted; print the page's address first.
 
@@ -73,6 +75,7 @@ def serve(
         record: folder into which each run is recorded; None: runs are not recorded.
         trial: participant and condition, stored in each recording and in the list of recordings.
         viewers: port to which Foxglove can attach; None: no port is opened.
+        console: whether lines of standard input go to the console.
 
     Raises:
         StationError: the page was not built, or the server cannot listen on the address.
@@ -109,8 +112,12 @@ def serve(
     run_plain()
     preparation = Preparation(make)
     sys.setswitchinterval(SWITCH_S)
-    server = make_server(make_app(preparation, access, record, failed, for_page=open_browser))
+    app = make_app(preparation, access, record, failed, for_page=open_browser)
+    server = make_server(app)
+    terminal = TerminalConsole(app.state.session) if console else None
     run_server(server, listener, addresses[0][1] if open_browser else None)
+    if terminal is not None:
+        terminal.close()
     laws.close()
     if live is not None:
         live.close()

@@ -24,7 +24,7 @@ from aftdeck.station.core.core import Core
 from aftdeck.station.core.desk import Answer, Page
 from aftdeck.station.core.roles import ControlRoles
 from aftdeck.station.core.step import PUNCTUAL, Begun, Delay
-from aftdeck.station.messages import from_page
+from aftdeck.station.messages import from_page, to_page
 from aftdeck.station.session.painter import Painter
 from aftdeck.station.session.session_recorder import SessionRecorder
 from aftdeck.station.session.warm import warm_up
@@ -117,6 +117,17 @@ class Session(Core):
         """Take a message of a page, and return the answers to it."""
         with self._lock:
             return super().receive(page, message)
+
+    def typed(self, line: str) -> to_page.Typed:
+        """Do what a line in the station's own terminal asks for; it may change values, whichever page is in control."""
+        self.prepare(line)
+        with self._lock:
+            return self.type_line(line)
+
+    def words(self, line: str) -> tuple[str, ...]:
+        """Return the words with which the last word of a line on the console can go on."""
+        self.prepare(line)
+        return self.complete_line(line)
 
     def accept(self, message: from_page.FromPage) -> None:
         """Take a message of the page in control (`Desk.accept`)."""
