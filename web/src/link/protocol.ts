@@ -1835,6 +1835,12 @@ export interface Recorded {
   readonly grade: string;
 }
 
+/** Fields of the welcome that are in force from a step on. */
+export interface ChangedFrom {
+  readonly tick: number;
+  readonly fields: Changed;
+}
+
 /** Data of a recording that the page needs before it draws the first frame. */
 export interface PlaybackIndex {
   readonly welcome: Welcome;
@@ -1867,4 +1873,9 @@ export interface PlaybackIndex {
   readonly pictures: readonly Pictured[];
   readonly strips: readonly Strip[];
   readonly measures: readonly Measure[];
+  /**
+   * Fields of the welcome that changes in flight have changed, in the order of the steps; the first one is in force
+   * at the start. Empty if nothing was changed.
+   */
+  readonly changed: readonly ChangedFrom[];
 }

@@ -11,6 +11,7 @@ import { ShownUnits } from '../words/units';
 import { FlownDesk } from './desk';
 import { eventBeside, eventsUntil } from './event-steps';
 import { FlownCameras } from './flown-cameras';
+import { FlownChanges } from './flown-changes';
 import { listen } from './keys';
 import { Player } from './player';
 import { replayRail } from './rail';
@@ -52,6 +53,7 @@ export class Replay {
   private readonly pictures: Pictures;
   private readonly cameras: FlownCameras;
   private readonly timeline: Timeline;
+  private readonly changes: FlownChanges;
   private readonly transport: Transport;
   private readonly run: RunColumn;
   private readonly rail;
@@ -65,6 +67,7 @@ export class Replay {
     private readonly index: PlaybackIndex,
   ) {
     this.units = new ShownUnits(index.welcome.units);
+    this.changes = new FlownChanges(index);
     this.player = new Player(index, (number) => source.block(number));
     this.polygons = source.polygons ? new RecordedPolygons(source.polygons) : null;
     this.pictures = new Pictures(index.welcome, drawing, {
@@ -160,6 +163,10 @@ export class Replay {
     this.windows.tellHead();
     const { moment, position } = this.player;
     const { units } = this.units;
+    if (moment && this.changes.show(moment.frame.tick)) {
+      this.pictures.renew();
+      this.pictured = '';
+    }
     if (moment) this.line.put({ frame: moment.frame, at: now });
     if (this.pictures.lost) this.complete = false;
     if (moment && !this.pictures.drawing && (this.isNew(moment.frame) || !this.complete)) {

@@ -9,6 +9,7 @@ import { PLAYED, Tether } from '../windows/secondary-window';
 import { StripWindow } from '../windows/strip-window';
 import { missionTime } from '../words/format';
 import { unitsOf } from '../words/units';
+import { FlownChanges } from './flown-changes';
 import { Player } from './player';
 import { minutes } from './quantity';
 import { RecordedPolygons } from './recorded-polygons';
@@ -39,18 +40,21 @@ export function follow(
 function showPictures(
   root: HTMLElement,
   drawing: Drawing,
-  { welcome, file }: PlaybackIndex,
+  index: PlaybackIndex,
   player: Player,
   polygons: Source['polygons'],
   what: Pictured,
   heard: (message: WindowMessage) => void,
 ): void {
+  const { welcome, file } = index;
   const played = { file, heard };
+  const changes = new FlownChanges(index);
   const flat = polygons ? new RecordedPolygons(polygons) : null;
   const display = new Display(root, welcome, drawing, what, played, flat);
   const next = () => {
     requestAnimationFrame(next);
     player.advance(0);
+    if (player.moment && changes.show(player.moment.frame.tick)) display.changed();
     if (player.moment) display.setFrame(player.moment.frame);
   };
   next();

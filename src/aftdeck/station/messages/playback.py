@@ -15,6 +15,7 @@ from aftdeck.report.curves import Lane, Strip
 from aftdeck.simulation.frame import Event
 from aftdeck.station.messages.frame import Frame
 from aftdeck.station.messages.measure import Measure
+from aftdeck.station.messages.to_page import Changed
 from aftdeck.station.messages.welcome import Welcome
 
 BLOCK = 256
@@ -56,6 +57,13 @@ class Recorded(msgspec.Struct, frozen=True):
     """Grade of the operator's task: ``A`` to ``D``; empty if the task was not completed or has no grade."""
 
 
+class ChangedFrom(msgspec.Struct, frozen=True):
+    """Fields of the welcome that are in force from a step on."""
+
+    tick: int
+    fields: Changed
+
+
 class PlaybackIndex(msgspec.Struct, frozen=True):
     """Data of a recording that the page needs before it draws the first frame."""
 
@@ -89,6 +97,9 @@ class PlaybackIndex(msgspec.Struct, frozen=True):
     pictures: tuple[Pictured, ...]
     strips: tuple[Strip, ...]
     measures: tuple[Measure, ...]
+    changed: tuple[ChangedFrom, ...]
+    """Fields of the welcome that changes in flight have changed, in the order of the steps; the first one is in force
+    at the start. Empty if nothing was changed."""
 
 
 class Moment(msgspec.Struct, frozen=True):

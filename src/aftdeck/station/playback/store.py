@@ -32,11 +32,12 @@ from aftdeck.report.lanes import Lanes
 from aftdeck.report.run_metrics import RunMetrics
 from aftdeck.report.strips import Strips, curve_values, worst_joint
 from aftdeck.scenario.light import Lighting
+from aftdeck.scenario.load import in_force
 from aftdeck.simulation.frame import Event
 from aftdeck.station.conversion.frame_of import Displays
 from aftdeck.station.conversion.measures_of import REPLAY, ended, measures_of
-from aftdeck.station.conversion.welcome_of import welcome_of
-from aftdeck.station.messages.playback import BLOCK, Block, Moment, Pictured, PlaybackIndex, Verdict
+from aftdeck.station.conversion.welcome_of import changed_of, welcome_of
+from aftdeck.station.messages.playback import BLOCK, Block, ChangedFrom, Moment, Pictured, PlaybackIndex, Verdict
 from aftdeck.station.playback.lit import Lit
 from aftdeck.station.playback.verdict import CHECKING
 from aftdeck.steering.mode import MODES
@@ -141,7 +142,8 @@ class PlaybackStore:
         events: list[Event] = []
         pictures: list[Pictured] = []
         waiting: list[FrameRecord] = []
-        ticks = 0
+        changed: list[ChangedFrom] = []
+        ticks, in_flight = 0, tuple[str, ...]()
         for message in recording.messages():
             metrics.note(message)
             if isinstance(message, Note):
@@ -162,6 +164,10 @@ class PlaybackStore:
                 strips.add(self._values(message, message.latency_ms))
                 metrics.see(message, lit)
                 events += message.events
+                if message.changes != in_flight:
+                    in_flight = message.changes
+                    changed = changed or [ChangedFrom(0, changed_of(self._scenario))]
+                    changed.append(ChangedFrom(message.tick, changed_of(in_force(self._scenario, in_flight))))
                 ticks = message.tick
                 waiting.append(message)
                 if len(waiting) == BLOCK:
@@ -191,6 +197,7 @@ class PlaybackStore:
             pictures=tuple(pictures),
             strips=strips.strips(),
             measures=(ended(recording.ended), *measures_of(metrics.found(recording.delays), REPLAY)),
+            changed=tuple(changed),
         )
 
     def _pack(self, records: list[FrameRecord]) -> None:

@@ -50,7 +50,11 @@ export function standRow(limits: StandInfo): StandRow {
       const shown = (metres: number) => fixed(metres * units.length.perSi, units.length.decimals, false);
       setText(unit, units.length.name);
       setText(value, shown(length));
-      setAttribute(scale, 'title', `Telescope: ${shown(limits.least)} to ${shown(limits.greatest)} ${units.length.name}`);
+      setAttribute(
+        scale,
+        'title',
+        `Telescope: ${shown(limits.least)} to ${shown(limits.greatest)} ${units.length.name}`,
+      );
       setText(keys[0], `${names.short('+telescope')} longer`);
       setText(keys[1], `${names.short('-telescope')} shorter`);
     },
