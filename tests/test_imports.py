@@ -99,7 +99,7 @@ WITHIN: dict[str, tuple[tuple[str, ...], ...]] = {
         ("series",),
         ("motion", "resume"),
         ("operator", "observe"),
-        ("begin", "work"),
+        ("begin", "work", "in_flight"),
         ("fly",),
         ("command_check",),
         ("step",),
@@ -202,7 +202,7 @@ def test_only_the_package_arms_knows_the_tables_of_arm_files() -> None:
         for node in statement.names
         if node.name in structs
     }
-    assert used == {("scenario/ranges_document.py", "ArmFile"), ("study/keys.py", "ArmFile")}
+    assert used == {("scenario/ranges_document.py", "ArmFile"), ("scenario/keys.py", "ArmFile")}
 
 
 @pytest.mark.parametrize(

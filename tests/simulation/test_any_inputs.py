@@ -48,7 +48,7 @@ def test_step_flies_plain_values_or_leaves_the_state_unchanged(rng: random.Rando
         assert sim.given is not None
         for name in Inputs.__struct_fields__:
             value = getattr(sim.given, name)
-            assert type(value) in (float, int, bool, str, tuple, CameraDrive, aftdeck.Target, type(None))
+            assert type(value) in (float, int, bool, str, tuple, dict, CameraDrive, aftdeck.Target, type(None))
     sim.step(Inputs())
 
 

@@ -9,8 +9,8 @@ from typing import Any
 import pytest
 
 from aftdeck.errors import ScenarioError
+from aftdeck.scenario import keys
 from aftdeck.schema_check import problems_of
-from aftdeck.study import keys
 from aftdeck.study.file import built_in, load_study
 from tests.study import studies
 from tests.study.studies import SHORT, loaded

@@ -69,7 +69,7 @@ def _schema(kind: Any) -> dict[str, Any]:
     if origin is Literal:
         return {"type": "string", "enum": list(get_args(kind))}
     if origin is dict:
-        return {"type": "object"}
+        return {"type": "object", "properties": {}}  # viewers demand properties
     if is_object(kind):
         return _object(kind)
     return {"type": _PLAIN[kind]}

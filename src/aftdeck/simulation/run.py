@@ -176,7 +176,10 @@ class Simulation:
         if plain.disturbances:
             check_disturbances(self._flight, self._state, plain.disturbances)
         if plain.changes:
-            self.prepare(plain.changes)
+            try:
+                self.prepare(plain.changes)
+            except InputError as error:
+                raise InputError(f"changes: {error}") from None
         return plain
 
     def prepare(self, changes: Mapping[str, str]) -> Scenario:
