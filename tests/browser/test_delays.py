@@ -18,6 +18,9 @@ TELEMETRY_S, CAMERA_S = 0.3, 2.3
 SOON_S = 2.0
 """Longest time from the due time of a frame to its picture, with software drawing; CAMERA_S - TELEMETRY_S or less."""
 
+JITTER_S = 0.15
+"""Greatest difference between the times that two messages take to the page."""
+
 RECORD_ARRIVALS = """
     window.arrived = [];
     const Socket = window.WebSocket;
@@ -35,22 +38,23 @@ RECORD_ARRIVALS = """
 
 AGES = """() => {
     const [hours, minutes, seconds] = document.querySelector('.picture .code').textContent.split(':').map(Number);
-    const age = (time_s) => {
-        const { came } = window.arrived.findLast((frame) => Math.abs(frame.time_s - time_s) < 0.0101);
-        return (performance.now() - came) / 1000;
-    };
+    const newest = window.arrived.at(-1);
+    const age = (time_s) => newest.time_s - time_s + (performance.now() - newest.came) / 1000;
     return {
         figures: age(window.__aftdeck.lastFrame.time_s),
         picture: age(3600 * hours + 60 * minutes + seconds),
         stale: document.querySelector('.is-stale, body.stale') !== null,
     };
 }"""
-"""Ages of the read-outs and of the picture [s], and whether the page marks them as stale."""
+"""Ages of the read-outs and of the picture [s], and whether the page marks them as stale.
+
+The time of the simulation counts up to the newest frame: frames take more or less time to a busy page.
+"""
 
 RAIL_AGE = """(() => {
     const [, hours, minutes, seconds] = document.querySelector('.rail .met b').textContent.split(/[/:]/).map(Number);
-    const { came } = window.arrived.find(({ time_s }) => time_s >= 3600 * hours + 60 * minutes + seconds);
-    return (performance.now() - came) / 1000;
+    const newest = window.arrived.at(-1);
+    return newest.time_s - (3600 * hours + 60 * minutes + seconds) + (performance.now() - newest.came) / 1000;
 })()"""
 """Age of the mission time in a secondary window [s], in which each time stays for a second."""
 
@@ -121,7 +125,7 @@ def test_log_and_mode_have_the_telemetry_delay(page: Flight) -> None:
     page.until("window.logged")
     entered = page.script("window.arrived.find(({ mode }) => mode === 'END EFF').came")
     for shown in (page.script("window.logged"), page.script("performance.now()")):
-        assert shown >= entered + 1000 * TELEMETRY_S
+        assert shown >= entered + 1000 * (TELEMETRY_S - JITTER_S)
 
 
 def test_monitor_window_has_the_camera_delay(browser: Browser, station: str) -> None:

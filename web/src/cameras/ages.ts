@@ -1,6 +1,6 @@
 /** Writes into the pictures how old they are, and what to do if they are old. */
 
-import { type Age, isStale } from '../link/delay-line';
+import { type Age, isStale } from '../link/age';
 import type { Matrix } from '../panel/monitors/matrix';
 import type { Monitors } from './monitors';
 

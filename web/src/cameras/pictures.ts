@@ -1,7 +1,8 @@
 /** The two monitors, all cameras at once, and the one canvas behind them. */
 
 import { present } from '../basics/assert';
-import type { Age } from '../link/delay-line';
+import type { Age } from '../link/age';
+import { linkOf } from '../link/frames';
 import type { PolygonSource } from '../link/polygon-pictures';
 import type { Camera, ClosestPoints, Frame, FreeEye, Level, Welcome } from '../link/protocol';
 import { Appearance, type Seventies } from '../page/appearance';
@@ -392,6 +393,7 @@ export class Pictures {
     const show = () => {
       const now = performance.now();
       this.fineness.shown(begun, now);
+      const { step } = linkOf(frame);
       if (!this.panes.isLaidOut(all, this.open)) return false; // the layout has changed: all will be drawn again
       for (const [{ picture, pane, polygons }, view] of views) {
         if (picture)
@@ -401,8 +403,7 @@ export class Pictures {
             caution,
             oneJoint: this.survey.drivesOneJoint(frame),
           });
-        if (polygons)
-          pane.show(this.listener.polygons?.at(view.camera, frame.tick) ?? null, frame.tick, freeSize(view));
+        if (polygons) pane.show(this.listener.polygons?.at(view.camera, step) ?? null, step, freeSize(view));
         else pane.hide();
       }
       this.onPage = frame;

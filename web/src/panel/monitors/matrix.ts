@@ -1,7 +1,7 @@
 /** All cameras at once. Each tile names the subjects that its camera sees. Clearance and lamps are below the tiles. */
 
 import type { Subject } from '../../cameras/best-pair';
-import { type Age, isStale } from '../../link/delay-line';
+import { type Age, isStale } from '../../link/age';
 import type { Camera } from '../../link/protocol';
 import { button, el, group, setAttribute, setClass, setPressed, setStyle, setText } from '../parts/dom';
 import { fitPane } from './picture';
