@@ -9,8 +9,12 @@ import pytest
 from playwright.sync_api import Browser
 
 import aftdeck
-from tests.browser.conftest import OpenPage, running_station
+from aftdeck.station.core.link import LinkDelays
+from aftdeck.station.session.session import Session
+from tests.browser.conftest import FULL_PANEL, STARTED, OpenPage, running_station
 from tests.browser.flight import FLIES, Flight
+from tests.loaded import scenario
+from tests.station.pages import served
 
 pytestmark = [pytest.mark.browser, pytest.mark.slow]
 
@@ -78,6 +82,13 @@ def page(open_page: OpenPage) -> Flight:
     return page
 
 
+CODES = """[...document.querySelectorAll('.picture .code')].map(({ textContent }) => {
+    const [hours, minutes, seconds] = textContent.split(':').map(Number);
+    return 3600 * hours + 60 * minutes + seconds;
+})"""
+"""Times of the pictures on the monitors [s]."""
+
+
 def until_delayed(page: Flight) -> None:
     """Wait until the pictures no longer show the first frame, which has no delay."""
     first = page.script("window.arrived[0].time_s")
@@ -138,3 +149,27 @@ def test_monitor_window_has_the_camera_delay(browser: Browser, station: str) -> 
         assert CAMERA_S <= age["picture"] <= CAMERA_S + SOON_S
         assert CAMERA_S <= second.script(RAIL_AGE) <= CAMERA_S + SOON_S + 1.0
     other.close()
+
+
+def test_restart_is_shown_after_the_delays(page: Flight) -> None:
+    page.until(f"{CODES}[0] > {CAMERA_S}")
+    page.page.get_by_role("button", name="Restart").click()
+    page.until("window.arrived.at(-1).time_s < 1.5")
+    newest, codes = page.script(f"[window.arrived.at(-1).time_s, {CODES}]")
+    assert newest < CAMERA_S < min(codes)
+    page.until(f"{CODES}[0] < 1")
+    assert page.script("window.arrived.at(-1).time_s") >= CAMERA_S
+    assert page.script("window.__aftdeck.restarts") == 1
+
+
+def test_each_camera_can_have_a_delay_of_its_own(browser: Browser) -> None:
+    with served(Session(scenario())) as station:
+        page = browser.new_page(viewport={"width": 1280, "height": 720})
+        for script in (FULL_PANEL, STARTED):
+            page.add_init_script(script)
+        page.goto(f"http://127.0.0.1:{station.port}/?quality=low")
+        flight = Flight(page)
+        first, second = flight.script("window.__aftdeck.views.monitors.flat()")
+        station.session.link.delays = LinkDelays(0.0, 0.0, {first: 0.5, second: 2.0})
+        flight.until(f"Math.abs({CODES}[0] - {CODES}[1] - 1.5) < 0.03")
+        page.close()

@@ -66,6 +66,32 @@ describe('the frames of a page', () => {
     expect([step(frames, 'telemetry'), step(frames, 'camera')]).toEqual([1, 1]);
   });
 
+  it('show another step in the pictures of cameras with a delay of their own', () => {
+    const frames = new Frames(PERIOD_S);
+    const late = (n: number, cameras: readonly [string, number][]) => {
+      const frame = sent(n, LATE);
+      const named = cameras.map(([name, delay]) => [name, n - delay] as const);
+      return {
+        ...frame,
+        display: { ...frame.display, link: { ...frame.display.link, cameras: named } },
+      } as Frame;
+    };
+    for (const n of from(1, 60))
+      frames.put(
+        late(n, [
+          ['A', 5],
+          ['B', 30],
+        ]),
+        100 * n,
+      );
+    const ticks = (...names: string[]) => names.map((name) => frames.pictures?.of(name).tick);
+    expect(ticks('A', 'B', 'C')).toEqual([55, 30, 40]);
+    expect(frames.late('camera', 'B')).toBeCloseTo(3);
+    expect(new Displayed(frames, 'camera').age(6000, true, 'A').set).toBeCloseTo(0.5);
+    frames.put(late(61, []), 6100);
+    expect([frames.pictures?.differ, ...ticks('A', 'B')]).toEqual([false, 41, 41]);
+  });
+
   it('of a recording show the playhead, which may move back', () => {
     const frames = new Frames(PERIOD_S);
     const recorded = (tick: number) => ({ tick, display: { link: null } }) as Frame;

@@ -49,7 +49,7 @@ function page(delay: number, barPace = 1) {
   const parts = {
     pictures: {
       drawing: false,
-      draw(_: Frame, __: string, done: () => void) {
+      draw(_: Frame, done: () => void) {
         breaks('the pictures throw');
         if (world.fault !== 'the pictures are lost') done();
         return true;
@@ -69,7 +69,8 @@ function page(delay: number, barPace = 1) {
     { sticks: {} } as unknown as Operator,
     parts,
   );
-  const setAge = (age: Age) => {
+  const setAge = (of: (camera: string) => Age) => {
+    const age = of('');
     ages.push(age);
     return age;
   };

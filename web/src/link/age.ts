@@ -39,14 +39,14 @@ export class Displayed {
 
   /**
    * Age at `now` [ms] of what the page displays: of the frame to show, and at least the time without a drawing. While
-   * the run `stands`, there is no newer frame.
+   * the run `stands`, there is no newer frame. `camera`: the camera of a picture, which may show a frame of its own.
    */
-  age(now: number, stands = false): Age {
+  age(now: number, stands = false, camera = ''): Age {
     const { frames, shows } = this;
-    const seen = frames.at(shows);
+    const seen = frames.at(shows, camera);
     if (!seen) this.displayed(now); // there is nothing to draw yet
     const [silent, undrawn] = [stands ? 0 : frames.silence(now), this.undrawn.at(now) / 1000];
     const s = (seen ? frames.behind(seen) : 0) + Math.max(silent, undrawn);
-    return { s, set: frames.late(shows), undrawn: undrawn > silent };
+    return { s, set: frames.late(shows, camera), undrawn: undrawn > silent };
   }
 }

@@ -3,6 +3,7 @@
 import type { Delays } from '../panel/rail/delays';
 import { type Age, Displayed } from './age';
 import { Frames, type Seen, type Shows } from './frames';
+import type { PictureFrames } from './picture-frames';
 import type { Frame, Welcome } from './protocol';
 import { Samples } from './samples';
 
@@ -60,8 +61,13 @@ export class Arrivals {
     return this.frames.late(shows);
   }
 
-  age(shows: Shows, now: number): Age {
-    return this.shown[shows].displayed.age(now, this.stands);
+  /** The frames to show in pictures; null before the first one. */
+  get pictures(): PictureFrames | null {
+    return this.frames.pictures;
+  }
+
+  age(shows: Shows, now: number, camera = ''): Age {
+    return this.shown[shows].displayed.age(now, this.stands, camera);
   }
 
   /** Time since the last frame [s]. */

@@ -62,8 +62,9 @@ export class DrawLoop {
 
   /** Draws what is due. Until the previous pictures are on the page, updates only overdue numbers, lamps and tones. */
   draw(now: number): void {
-    const [telemetry, seen] = [this.arrivals.at('telemetry'), this.arrivals.at('camera')];
-    if (!telemetry || !seen) return;
+    const { arrivals } = this;
+    const [telemetry, seen, frames] = [arrivals.at('telemetry'), arrivals.at('camera'), arrivals.pictures];
+    if (!telemetry || !seen || !frames) return;
     const { pictures, groups } = this.parts;
     const view = this.parts.viewOf(telemetry.frame);
     if (pictures.drawing) {
@@ -71,7 +72,7 @@ export class DrawLoop {
       if (now - this.valuesAt >= OVERDUE_MS) this.values(view, telemetry, now);
       return;
     }
-    const late = this.arrivals.late('camera');
+    const late = arrivals.late('camera');
     this.held = late === 0 && this.latency.due(seen.frame.display.stick_seq, now);
     if (this.held) return;
     this.operator.sticks.driving = this.modes.get(telemetry.frame.mode) === 'single';
@@ -80,7 +81,7 @@ export class DrawLoop {
     const barsMove = this.turns % this.barPace === 0;
     this.fresh = false;
     // Pictures first: they read the page's layout, and moving the desk's bars forces the browser to compute it again.
-    pictures.draw(seen.frame, seen.frame.work.clearance_level, () => this.pictured(seen, late));
+    pictures.draw(frames, () => this.pictured(seen, late));
     if (barsMove) groups.bars(view);
     this.parts.bars();
     if (barsMove && now - this.valuesAt >= VALUES_MS) this.values(view, telemetry, now);

@@ -28,7 +28,7 @@ export class Freshness {
   look(now: number): void {
     const { arrivals } = this;
     if (document.hidden) arrivals.unseen(now);
-    this.pictures = this.drawn.setAge(arrivals.age('camera', now), now);
+    this.pictures = this.drawn.setAge((camera) => arrivals.age('camera', now, camera), now);
     setClass(document.body, 'stale', isStale(arrivals.age('telemetry', now)));
     const lost = isStale(this.pictures) && this.pictures.undrawn;
     if (lost && !this.logged)

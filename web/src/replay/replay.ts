@@ -3,6 +3,7 @@
 import { Pictures } from '../cameras/pictures';
 import { Displayed } from '../link/age';
 import { Frames } from '../link/frames';
+import { PictureFrames } from '../link/picture-frames';
 import type { Frame, PlaybackIndex } from '../link/protocol';
 import { publish } from '../page/hook';
 import type { Drawing } from '../page/quality';
@@ -156,7 +157,7 @@ export class Replay {
   /** Shows at `now` [ms] whether the pictures are old, even if nothing is drawn. */
   private showAge(now: number): void {
     if (document.hidden) this.displayed.displayed(now);
-    this.pictures.setAge(this.displayed.age(now), now);
+    this.pictures.setAge(() => this.displayed.age(now), now);
   }
 
   private tick(): void {
@@ -177,7 +178,7 @@ export class Replay {
       this.desk.bars(moment.frame, units);
       this.cameras.show(position);
       const { frame } = moment;
-      this.complete = this.pictures.draw(frame, frame.work.clearance_level, () => {
+      this.complete = this.pictures.draw(new PictureFrames(frame), () => {
         this.pictures.setTime({ units });
         this.displayed.displayed(performance.now());
         this.drawn += 1;

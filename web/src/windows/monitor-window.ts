@@ -118,15 +118,15 @@ export class Display {
   private tick(): void {
     this.request = requestAnimationFrame(() => this.tick());
     if (this.played && this.frames.newest) this.setFrame(this.frames.newest.frame); // a recording does not grow old
-    const seen = this.frames.at('camera');
-    if (!seen || this.pictures.drawing) return;
-    const { frame } = seen;
+    const [seen, pictures] = [this.frames.at('camera'), this.frames.pictures];
+    if (!seen || !pictures || this.pictures.drawing) return;
     this.hearing = true; // cameras chosen by the first drawing are not sent to the page
-    this.pictures.draw(frame, frame.work.clearance_level, () => {
+    const done = () => {
       this.drawn += 1;
       this.displayed.displayed(performance.now());
       this.shown = this.latest;
-    });
+    };
+    this.pictures.draw(pictures, done);
     this.hearing = false;
     const now = performance.now();
     if (now - this.valuesAt < VALUES_MS) return;
@@ -139,7 +139,7 @@ export class Display {
   /** Shows how old the pictures are at `now` [ms], even if nothing is drawn. */
   private showAge(now: number): void {
     if (document.hidden) this.displayed.displayed(now);
-    const age = this.pictures.setAge(this.displayed.age(now), now);
+    const age = this.pictures.setAge((camera) => this.displayed.age(now, false, camera), now);
     const seen = this.frames.at('camera');
     if (seen) this.tether.showAt(seen.frame, age);
   }

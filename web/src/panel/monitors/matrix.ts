@@ -144,11 +144,12 @@ export class Matrix {
     setAttribute(tile, 'aria-label', label.join(', '));
   }
 
-  /** Sets the age of the pictures; `cure`: what to do if the page does not draw them. */
-  setAge(age: Age, cure: string): void {
-    const lost = isStale(age);
-    const what = cure || `no frame for ${(age.s - age.set).toFixed(1)} s`;
-    for (const { tile, lost: words } of this.parts) {
+  /** Sets the ages of the cameras' pictures; `cure`: what to do if the page does not draw them. */
+  setAge(of: (camera: string) => Age, cure: string): void {
+    for (const { camera, tile, lost: words } of this.parts) {
+      const age = of(camera.name);
+      const lost = isStale(age);
+      const what = cure || `no frame for ${(age.s - age.set).toFixed(1)} s`;
       setClass(tile, 'is-lost', lost);
       if (lost) setText(words.lastElementChild ?? words, what);
     }
