@@ -116,7 +116,8 @@ def test_figures_and_pictures_have_the_delays_of_the_scenario(page: Flight) -> N
     # A delay alone makes nothing stale. On a busy machine, slow pictures do, for a moment.
     assert not all(age["stale"] for age in measured)
     page.page.locator(".burned.time", has_text="2.3 s old").first.wait_for()
-    assert page.script("document.querySelector('.rail .delay').textContent") == "Delay TLM 0.30 · CAM 2.30 s"
+    # On a busy machine, the rail also shows how long the command took, for some seconds.
+    page.until("document.querySelector('.rail .delay').textContent === 'Delay TLM 0.30 · CAM 2.30 s'")
     link = page.page.locator(".lamp.info", has_text="LINK DELAY")
     assert link.get_attribute("title") == "figures are 0.30 s old, pictures are 2.30 s old"
     # The stick-to-picture time is measured without the delays.
