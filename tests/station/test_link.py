@@ -159,6 +159,20 @@ def test_link_of_a_session_has_the_delays_of_the_scenario() -> None:
     assert frame.display.link == LinkSteps(2, 2 - 25, 2 - 50, ())
 
 
+def test_link_has_the_delays_that_changes_in_flight_set_until_a_restart() -> None:
+    host, page = late_host()
+    page.send(from_page.TypeLine(1, "set telemetry_delay = 0.1 s; camera_delay = 2 s"))
+    delays = []
+    for k in range(150):
+        if k == 120:
+            page.send(from_page.Restart(2))
+        link = host.step().link
+        delays.append((link.step - link.telemetry, link.step - link.pictures))
+    assert delays[0] == (25, 50)
+    assert delays[119] == (5, 100)
+    assert delays[-1] == (25, 50)
+
+
 def test_answers_to_a_page_have_no_delay() -> None:
     host, page = late_host()
     other = host.join()

@@ -7,10 +7,14 @@ import type { PictureFrames } from './picture-frames';
 import type { Frame, Welcome } from './protocol';
 import { Samples } from './samples';
 
+/** Delays that the scenario sets; changes in flight change them here. */
+type LinkDelays = Pick<
+  Welcome,
+  'control_period_s' | 'command_delay_s' | 'telemetry_delay_s' | 'camera_delay_s'
+>;
+
 interface Measured {
   readonly displayed: Displayed;
-  /** Delay that the scenario sets [s]. */
-  readonly set: number;
   /** Age of each frame when it was displayed for the first time [s]. */
   readonly ages: Samples;
   last: Seen | null;
@@ -21,24 +25,16 @@ export class Arrivals {
   stands = false;
   private readonly frames: Frames;
   private readonly shown: Readonly<Record<Shows, Measured>>;
-  private readonly command: number;
 
-  constructor(
-    welcome: Pick<Welcome, 'control_period_s' | 'command_delay_s' | 'telemetry_delay_s' | 'camera_delay_s'>,
-  ) {
+  constructor(private readonly welcome: LinkDelays) {
     const frames = new Frames(welcome.control_period_s);
-    const measured = (shows: Shows, set: number) => ({
+    const measured = (shows: Shows) => ({
       displayed: new Displayed(frames, shows),
-      set,
       ages: new Samples(),
       last: null,
     });
     this.frames = frames;
-    this.command = welcome.command_delay_s;
-    this.shown = {
-      telemetry: measured('telemetry', welcome.telemetry_delay_s),
-      camera: measured('camera', welcome.camera_delay_s),
-    };
+    this.shown = { telemetry: measured('telemetry'), camera: measured('camera') };
   }
 
   /** Adds a frame that arrived at `now` [ms]; returns whether it is the first frame after a restart. */
@@ -91,12 +87,12 @@ export class Arrivals {
 
   /** Returns the delays as set and as measured; `answer`: time from an input to the frame that used it [s]. */
   delays(answer: number | null, now: number): Delays {
+    const { command_delay_s, telemetry_delay_s, camera_delay_s } = this.welcome;
     const { telemetry, camera } = this.shown;
-    const measured = ({ set, ages }: Measured) => ({ set, measured: ages.part(0.5, now) });
     return {
-      command: { set: this.command, measured: answer },
-      telemetry: measured(telemetry),
-      camera: measured(camera),
+      command: { set: command_delay_s, measured: answer },
+      telemetry: { set: telemetry_delay_s, measured: telemetry.ages.part(0.5, now) },
+      camera: { set: camera_delay_s, measured: camera.ages.part(0.5, now) },
     };
   }
 }

@@ -272,7 +272,9 @@ class Core:
         self.newest = _encoder.encode(shown)
         self._frame = frame
         if frame.changes != self._changes:
-            self._changes, self.changed = frame.changes, _encoder.encode(changed_of(self._sim.in_force))
+            self._changes, now = frame.changes, self._sim.in_force
+            self.changed = _encoder.encode(changed_of(now))
+            self.link.delays = self.link.delays._replace(telemetry=now.telemetry_delay, camera=now.camera_delay)
         for observer in (self._recording, self.telemetry, *self.observers):
             if observer is not None:
                 observer.see(step)
