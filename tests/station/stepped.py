@@ -25,7 +25,7 @@ def one_step(recording: Recording, made: Scenario) -> None:
 def step_of(frame: Frame, lamps: tuple[Lamp, ...], monitors: tuple[tuple[str, ...], ...]) -> Step:
     """Return a step with this frame."""
     lighting = Lighting(conditions()[0].name, (), ())
-    asked = Asked(PageInputs(0).take(0.0, rate_held=False), None, monitors, lighting, "")
+    asked = Asked(PageInputs(0).take(0.0, rate_held=False), None, monitors, lighting, "", {})
     return Step(
         frame.tick,
         0.0,
