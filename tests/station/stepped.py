@@ -12,6 +12,7 @@ from aftdeck.station.core.asked import Asked
 from aftdeck.station.core.core import Core, Recording
 from aftdeck.station.core.page_inputs import PageInputs
 from aftdeck.station.core.step import Step
+from aftdeck.station.messages.frame import LinkSteps
 
 
 def one_step(recording: Recording, made: Scenario) -> None:
@@ -38,4 +39,5 @@ def step_of(frame: Frame, lamps: tuple[Lamp, ...], monitors: tuple[tuple[str, ..
         frame=frame,
         lamps=lamps,
         autopilot=None,
+        link=LinkSteps(frame.tick, frame.tick, frame.tick, ()),
     )

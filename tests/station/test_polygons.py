@@ -26,7 +26,7 @@ from aftdeck.station.messages import from_page, kinds, to_page
 from aftdeck.station.messages.frame import Frame as FrameMessage
 from aftdeck.station.server.pages import GATHER_S
 from aftdeck.station.session.painter import AT_ONCE, ENDED, Painter
-from aftdeck.station.session.painting import Painting, Sheet, Wanted
+from aftdeck.station.session.painting import LitFrame, Painting, Sheet, Wanted
 from aftdeck.station.session.session import Session
 from aftdeck.visual.diagram import sheet
 from aftdeck.visual.picture import picture_of
@@ -38,6 +38,8 @@ from tests.waits import WAIT_S
 NAME = "concept-1972-script"
 SIZE = (600, 400)
 ASPECT = SIZE[0] / SIZE[1]
+STEP = 70
+"""Number of the frame's step in a session, after a restart."""
 [LIGHT, *_] = conditions()
 
 
@@ -47,6 +49,10 @@ def frame() -> Frame:
     for _ in range(20):
         latest = sim.step(None)
     return latest
+
+
+def lit() -> LitFrame:
+    return LitFrame(frame(), LIGHT, STEP)
 
 
 @functools.cache
@@ -59,10 +65,10 @@ def pictures() -> PolygonPictures:
 
 @pytest.mark.parametrize("camera", ["A", "F", "W", "AFT"])
 def test_polygons_are_those_of_the_visual_scene(camera: str) -> None:
-    message = pictures().of(frame(), Shot(camera), ASPECT, LIGHT)
+    message = pictures().of(frame(), Shot(camera), ASPECT, LIGHT, STEP)
     drawn = picture_of(VisualScene(scenario(NAME)), frame(), camera, SIZE, "1972", LIGHT)
     corners = np.frombuffer(message.corners, np.uint8)
-    assert (message.tick, message.camera, message.text) == (frame().tick, camera, "")
+    assert (message.step, message.camera, message.text) == (STEP, camera, "")
     assert corners.tolist() == np.diff(drawn.begins).tolist()
     assert list(message.greys) == drawn.colours[:, 0].tolist()
     assert len(set(message.greys)) <= 8
@@ -73,7 +79,7 @@ def test_polygons_are_those_of_the_visual_scene(camera: str) -> None:
 
 def test_picture_follows_the_light_condition() -> None:
     night = next(condition for condition in conditions() if condition.name == "night")
-    day, dark = (sum(pictures().of(frame(), Shot("A"), ASPECT, light).greys) for light in (LIGHT, night))
+    day, dark = (sum(pictures().of(frame(), Shot("A"), ASPECT, light, STEP).greys) for light in (LIGHT, night))
     assert dark < day
 
 
@@ -84,9 +90,9 @@ def test_camera_inside_a_body_has_a_sentence(monkeypatch: pytest.MonkeyPatch) ->
     pose = scene.frames_at(frame())[scene.clusters.frames.index(cluster.frame)]
     inside = pose[:3] + pose[3:].reshape(3, 3) @ cluster.body.points.mean(axis=0)
     monkeypatch.setattr(VisualScene, "aim", lambda *_: aim._replace(position=inside, hidden=frozenset()))
-    message = pictures().of(frame(), Shot("A"), ASPECT, LIGHT)
+    message = pictures().of(frame(), Shot("A"), ASPECT, LIGHT, STEP)
     assert message.text == "No picture: camera A is inside lower boom or touches it."
-    assert (message.tick, message.points, message.corners, message.greys) == (frame().tick, b"", b"", b"")
+    assert (message.step, message.points, message.corners, message.greys) == (STEP, b"", b"", b"")
 
 
 # --- painter ----------------------------------------------------------------------------------------------------------
@@ -104,7 +110,7 @@ class Counted(Painting):
     def pictures(self, wanted: Wanted) -> dict[Shot, bytes]:
         self.count |= {shot.camera: self.count.get(shot.camera, 0) + 1 for shot in wanted.aspects}
         return {
-            shot: msgspec.json.encode(no_polygons(shot.camera, f"{aspect:g} {wanted.light.name}", wanted.frame.tick))
+            shot: msgspec.json.encode(no_polygons(shot.camera, f"{aspect:g} {wanted.lit.light.name}", wanted.lit.step))
             for shot, aspect in wanted.aspects.items()
         }
 
@@ -130,11 +136,11 @@ def test_without_a_wanted_picture_nothing_is_computed(monkeypatch: pytest.Monkey
 def test_painter_draws_the_wanted_cameras_of_the_newest_frame() -> None:
     painter = Painter(scenario(NAME), Counted)
     painter.want({Shot("A"): 1.5})
-    painter.show(frame(), LIGHT)
-    until(lambda: drawn(painter)["A"].tick == frame().tick, "a picture")
+    painter.show(lit())
+    until(lambda: drawn(painter)["A"].step == STEP, "a picture")
     assert drawn(painter)["A"].text == f"1.5 {LIGHT.name}"
     painter.want({Shot("B"): 1.0})
-    painter.show(frame(), LIGHT)
+    painter.show(lit())
     until(lambda: set(painter.drawn) == {Shot("B")}, "a picture of the other camera")
     painter.close()
 
@@ -152,7 +158,7 @@ def test_the_time_until_the_first_picture_is_told() -> None:
     until(lambda: drawn(painter)["A"].share == 0.5, "progress")
     assert "12 s" in drawn(painter)["A"].text
     go_on.set()
-    painter.show(frame(), LIGHT)
+    painter.show(lit())
     until(lambda: drawn(painter)["A"].share is None, "a picture")
     painter.close()
 
@@ -175,7 +181,7 @@ def test_more_cameras_than_are_drawn_at_once_are_drawn_in_turn() -> None:
     painter.notify = notified
     painter.want(dict.fromkeys(map(Shot, names), 1.0))
     for k in range(3):
-        painter.show(frame(), LIGHT)
+        painter.show(lit())
         until(lambda k=k: rounds > k, "a round of pictures")  # type: ignore[misc]
     painter.close()
     assert made[0].count == dict.fromkeys(names, 2)
@@ -185,19 +191,18 @@ def test_process_draws_the_same_pictures_and_sheets() -> None:
     painting = Painting(scenario(NAME))
     painting.wait(lambda _: None)
     assert os.getpriority(os.PRIO_PROCESS, painting.pid) == os.getpriority(os.PRIO_PROCESS, 0) + BACKGROUND
-    there = painting.pictures(Wanted(frame(), LIGHT, {Shot("A"): ASPECT, Shot("F"): 1.0}))
-    here = {
-        shot: pictures().of(frame(), shot, aspect, LIGHT) for shot, aspect in ((Shot("A"), ASPECT), (Shot("F"), 1.0))
-    }
+    shots = {Shot("A"): ASPECT, Shot("F"): 1.0}
+    there = painting.pictures(Wanted(lit(), shots))
+    here = {shot: pictures().of(frame(), shot, aspect, LIGHT, STEP) for shot, aspect in shots.items()}
     assert there == {shot: msgspec.json.encode(picture) for shot, picture in here.items()}
     title = scenario(NAME).title
-    svg = painting.sheet(Sheet(frame(), LIGHT, "A"))
+    svg = painting.sheet(Sheet(lit(), "A"))
     assert svg.decode() == sheet(VisualScene(scenario(NAME)), frame(), "A", LIGHT, title)
     with pytest.raises(InputError, match="no camera is called 'A9'"):
-        painting.sheet(Sheet(frame(), LIGHT, "A9"))
+        painting.sheet(Sheet(lit(), "A9"))
     painting.close()
     with pytest.raises(EOFError):
-        painting.sheet(Sheet(frame(), LIGHT, "A"))
+        painting.sheet(Sheet(lit(), "A"))
 
 
 def test_closing_ends_a_process_that_compiles() -> None:
@@ -250,7 +255,7 @@ def test_pages_receive_the_pictures_that_they_ask_for() -> None:
     with served(Session(scenario(NAME), demo=True)) as station, station.page() as operator, station.page() as observer:
         ask(observer, "A", "F")
         ticks = [
-            observer.wait_for(to_page.Polygons, lambda one, camera=camera: one.camera == camera and one.text == "").tick  # type: ignore[misc]
+            observer.wait_for(to_page.Polygons, lambda one, camera=camera: one.camera == camera and one.text == "").step  # type: ignore[misc]
             for camera in ("A", "F", "A")
         ]
         assert ticks == sorted(ticks)
@@ -314,7 +319,7 @@ def test_an_eye_at_the_place_of_a_camera_has_the_picture_of_the_camera() -> None
     aims = [scene.aim(frame(), camera.name, ASPECT) for camera in scene.cameras.values() if camera.pane is None]
     aim = next(one for one in aims if not one.hidden)
     eye = Eye(tuple(aim.position), tuple(aim.axes[2]), tuple(-aim.axes[1]), 2.0 * math.atan(aim.wide))
-    free, fixed = (pictures().of(frame(), shot, ASPECT, LIGHT) for shot in (Shot("ENG", eye), Shot(aim.name)))
+    free, fixed = (pictures().of(frame(), shot, ASPECT, LIGHT, STEP) for shot in (Shot("ENG", eye), Shot(aim.name)))
     assert len(fixed.greys) > 50
     assert (free.corners, free.greys) == (fixed.corners, fixed.greys)
     assert np.abs(np.frombuffer(free.points, "<i2") - np.frombuffer(fixed.points, "<i2").astype(int)).max() <= 1

@@ -68,14 +68,18 @@ def test_a_picture_that_cannot_be_drawn_is_explained(monkeypatch: pytest.MonkeyP
         assert answer == (409, "No picture: camera B at 3 s is inside payload-1 or touches it.\n")
 
 
-def test_sheets_are_as_late_as_the_pictures(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_sheets_show_the_frame_of_the_pictures() -> None:
     delay = 1.5
     with served(Session(dataclasses.replace(scenario(NAME), camera_delay=delay))) as station:
+
+        def newest_s() -> float:
+            newest = station.session.painter.newest
+            return newest.frame.time_s if newest is not None else 0.0
+
         sheet(station, "A")
-        monkeypatch.setattr(Painter, "sheet", lambda *_: b"<svg/>")
-        start = time.monotonic()
-        assert station.get("/planes/A.svg") == (200, "<svg/>")
-        assert time.monotonic() - start >= delay
+        until(lambda: newest_s() > 2.0 * delay, "a frame that pictures show later")
+        before, shown = newest_s(), time_s(sheet(station, "A"))
+        assert before - delay - 0.01 < shown < newest_s() - delay + 0.01
 
 
 def test_requests_beyond_the_allowed_rate_wait(monkeypatch: pytest.MonkeyPatch) -> None:

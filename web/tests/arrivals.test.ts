@@ -1,48 +1,17 @@
 import { describe, expect, it } from 'vitest';
-import { Arrivals } from '../src/link/delayed-messages';
-import type { Frame, Event as LogEvent } from '../src/link/protocol';
+import { Arrivals } from '../src/link/arrivals';
 import { type Knows, ownLamps } from '../src/panel/spine/own-lamps';
+import { link, sent } from './sent-frames';
 
-const DELAYS = { command_delay_s: 0.5, telemetry_delay_s: 1, camera_delay_s: 2 };
-/** A frame every 100 ms. */
-const frame = (tick: number) => ({ tick, time_s: tick / 10 }) as Frame;
-const line = (time_s: number): LogEvent => ({ time_s, kind: 'mode', level: 'info', text: `at ${time_s}` });
-
-describe('messages from the station', () => {
-  it('are shown with the delays of the scenario', () => {
-    const arrivals = new Arrivals(DELAYS);
-    const shown: LogEvent[] = [];
-    for (let tick = 0; tick < 60; tick += 1) {
-      const now = 100 * tick;
-      arrivals.put(frame(tick), now);
-      arrivals.addEvents([line(tick / 10)]);
-      expect(arrivals.at('telemetry', now)?.frame.tick).toBe(Math.max(0, tick - 10));
-      expect(arrivals.at('camera', now)?.frame.tick).toBe(Math.max(0, tick - 20));
-      shown.push(...arrivals.dueEvents(now));
-      expect(shown.length).toBe(Math.max(0, tick - 10) + 1);
-    }
-    expect(shown).toEqual(Array.from({ length: 50 }, (_, tick) => line(tick / 10)));
-  });
-
-  it('keep all log lines at a restart', () => {
-    const arrivals = new Arrivals(DELAYS);
-    for (const tick of [50, 51, 52]) expect(arrivals.put(frame(tick), 100 * tick)).toBe(false);
-    arrivals.addEvents([line(5.1), line(5.2)]);
-    expect(arrivals.dueEvents(5200)).toEqual([]);
-    expect(arrivals.put(frame(0), 5300)).toBe(true);
-    expect(arrivals.restarts).toBe(1);
-    expect(arrivals.takeEvents()).toEqual([line(5.1), line(5.2)]);
-    expect(arrivals.takeEvents()).toEqual([]);
-  });
-
-  it('have a measured age, except the first one', () => {
-    const arrivals = new Arrivals(DELAYS);
+describe('delays of frames', () => {
+  it('are measured, except those of the first frame', () => {
+    const arrivals = new Arrivals(link(1, 2, 0.5));
     expect(arrivals.silence(9000)).toBe(0);
-    for (let tick = 0; tick < 60; tick += 1) {
-      const now = 100 * tick + 30; // drawn 30 ms after its arrival
-      arrivals.put(frame(tick), 100 * tick);
+    for (let step = 1; step < 60; step += 1) {
+      const now = 100 * step + 30; // drawn 30 ms after its arrival
+      arrivals.put(sent(step, [10, 20]), 100 * step);
       for (const shows of ['telemetry', 'camera'] as const) {
-        const seen = arrivals.at(shows, now);
+        const seen = arrivals.at(shows);
         if (seen) arrivals.show(shows, seen, now);
       }
     }

@@ -1,5 +1,5 @@
 import { expect, test } from 'vitest';
-import { drawnGap } from '../src/cameras/pictures';
+import { drawnGap } from '../src/cameras/staging';
 import { KEYS } from '../src/input/active-device';
 import type { ClosestPoints, Frame, Near, Objective, WayOut } from '../src/link/protocol';
 import { taskPairWords } from '../src/panel/clearance/clearance';

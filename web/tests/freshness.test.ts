@@ -1,12 +1,13 @@
 import { afterEach, beforeEach, expect, test, vi } from 'vitest';
-import { type Age, isStale } from '../src/link/delay-line';
-import { Arrivals } from '../src/link/delayed-messages';
+import { type Age, isStale } from '../src/link/age';
+import { Arrivals } from '../src/link/arrivals';
 import type { Latency } from '../src/link/latency';
 import type { Frame, Polygons, Welcome } from '../src/link/protocol';
 import { DrawLoop, type Drawn } from '../src/page/draw-loop';
 import { Freshness } from '../src/page/freshness';
 import type { Operator } from '../src/page/operator';
 import { PolygonPane } from '../src/panel/monitors/polygon-pane';
+import { link, sent } from './sent-frames';
 import { useSmallPage } from './small-page';
 
 /** Time between two frames and between two readings of the ages [ms]. */
@@ -39,7 +40,7 @@ afterEach(() => {
 /** A page that draws each frame; `fault` is what goes wrong, and can be changed while the page runs. */
 function page(delay: number, barPace = 1) {
   const world = { fault: '' };
-  const arrivals = new Arrivals({ command_delay_s: 0, telemetry_delay_s: delay, camera_delay_s: delay });
+  const arrivals = new Arrivals({ ...link(delay, delay), control_period_s: FRAME_MS / 1000 });
   const ages: Age[] = [];
   const told: string[] = [];
   const breaks = (fault: string) => {
@@ -48,7 +49,7 @@ function page(delay: number, barPace = 1) {
   const parts = {
     pictures: {
       drawing: false,
-      draw(_: Frame, __: string, done: () => void) {
+      draw(_: Frame, done: () => void) {
         breaks('the pictures throw');
         if (world.fault !== 'the pictures are lost') done();
         return true;
@@ -68,7 +69,8 @@ function page(delay: number, barPace = 1) {
     { sticks: {} } as unknown as Operator,
     parts,
   );
-  const setAge = (age: Age) => {
+  const setAge = (of: (camera: string) => Age) => {
+    const age = of('');
     ages.push(age);
     return age;
   };
@@ -77,13 +79,13 @@ function page(delay: number, barPace = 1) {
   return {
     ...{ world, told },
     /** Lets the page run for a time [ms], and returns whether the pictures and the numbers are marked as old. */
-    run(time: number, link = true) {
+    run(time: number, linked = true) {
       for (const end = tick + time / FRAME_MS; tick < end; tick += 1) {
         const now = tick * FRAME_MS;
         vi.setSystemTime(now);
         vi.spyOn(performance, 'now').mockReturnValue(now);
-        const display = { stick_seq: 0 };
-        if (link) arrivals.put({ tick, display, work: { clearance_level: 'info' } } as unknown as Frame, now);
+        const late = (1000 * delay) / FRAME_MS;
+        if (linked) arrivals.put(sent(tick, [late, late]), now);
         try {
           if (world.fault !== 'nothing is drawn any more' && !hidden) loop.draw(now);
         } catch (error) {
@@ -151,7 +153,7 @@ test('a picture in the look of 1972 that arrives no more is old, unless the stat
   vi.stubGlobal('window', { devicePixelRatio: 1 });
   const pane = new PolygonPane();
   Object.assign(pane.elements[0], { getContext: () => null });
-  const picture = (tick: number, text = '') => ({ tick, text }) as Polygons;
+  const picture = (step: number, text = '') => ({ step, text }) as Polygons;
   const size = { width: 100, height: 50 };
   const scene: Age = { s: 2, set: 2, undrawn: false };
   let now = 0;
@@ -178,7 +180,7 @@ test('a picture in the look of 1972 that arrives no more is old, unless the stat
   const preparing = picture(-1, 'Preparing');
   expect(stale(() => preparing)).toBe(false);
   const still = () => {
-    pane.show(last, last.tick, size); // a paused replay shows it once
+    pane.show(last, last.step, size); // a paused replay shows it once
     for (const end = now + 1000; now < end; now += 50) pane.ageOf(scene, now);
     return isStale(pane.ageOf(scene, now));
   };

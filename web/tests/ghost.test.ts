@@ -38,3 +38,15 @@ test('only moving bodies have a ghost', () => {
   ghost.setVisible(false);
   expect(parts.some(({ visible }) => visible)).toBe(false);
 });
+
+test('a ghost that another frame of the same drawing does not have is hidden in its pictures', () => {
+  const { ghost, parts } = ghostOf(['boom']);
+  const [poses, now] = [[1, 0, 0, 1, 0, 0, 0], performance.now() + 1000];
+  const seen = (shown: number[] | null, at: number | null) => {
+    ghost.set(shown, at);
+    ghost.setVisible(true);
+    return parts[0]?.visible;
+  };
+  expect([seen(poses, now), seen(null, null), seen(poses, null)]).toEqual([true, false, true]);
+  expect(seen(null, now + 50)).toBe(true); // it fades
+});

@@ -1,8 +1,9 @@
 import { afterEach, beforeEach, expect, test, vi } from 'vitest';
-import { Arrivals } from '../src/link/delayed-messages';
-import type { Frame, Event as LogEvent } from '../src/link/protocol';
+import { Arrivals } from '../src/link/arrivals';
+import type { Event as LogEvent } from '../src/link/protocol';
 import { Log } from '../src/page/log';
 import type { EventsGroup } from '../src/panel/desk/events';
+import { link, PERIOD_S, sent } from './sent-frames';
 
 beforeEach(() => {
   vi.useFakeTimers();
@@ -14,14 +15,14 @@ afterEach(() => {
 
 const event = (time_s: number, kind = 'mode'): LogEvent => ({ time_s, kind, level: 'info', text: 'A line' });
 
-/** The log of a page with the telemetry delay `delay` [s]. */
+/** The log of a page with the telemetry delay `delay` [steps]. */
 function opened(delay = 0) {
-  const arrivals = new Arrivals({ command_delay_s: 0, telemetry_delay_s: delay, camera_delay_s: 0 });
+  const arrivals = new Arrivals(link());
   const lines: LogEvent[] = [];
   const group = { add: vi.fn((events: readonly LogEvent[]) => void lines.push(...events)), clear: vi.fn() };
   const log = new Log(group as unknown as EventsGroup, arrivals);
   const show = (time_s: number) => {
-    arrivals.put({ tick: 50 * time_s, time_s } as Frame, performance.now());
+    arrivals.put(sent(Math.round(time_s / PERIOD_S), [delay, 0]), performance.now());
   };
   return { arrivals, lines, group, log, show };
 }
@@ -46,31 +47,14 @@ test('a rejection before the first frame sets no time', () => {
   expect(lines).toHaveLength(1);
 });
 
-test('lines are added with the figures of their time', () => {
-  const { arrivals, lines, log, show } = opened(1);
-  show(10);
-  arrivals.addEvents([event(10), event(10.5)]);
-  const addDue = () => log.addDue(performance.now());
-  addDue();
-  expect(lines).toEqual([event(10)]);
-  vi.advanceTimersByTime(500);
-  show(10.5);
-  addDue();
-  expect(lines).toEqual([event(10)]);
-  vi.advanceTimersByTime(1000);
-  addDue();
-  expect(lines).toEqual([event(10), event(10.5)]);
-});
-
 test('the list is not drawn again without new lines', () => {
   const { group, log } = opened();
-  log.addDue(0);
   log.add([]);
   expect(group.add).not.toHaveBeenCalled();
 });
 
 test('a line of the page has the time of the displayed frame', () => {
-  const { lines, log, show } = opened(1);
+  const { lines, log, show } = opened(10);
   log.say('A line');
   show(10);
   vi.advanceTimersByTime(500);
@@ -91,17 +75,4 @@ test('of the lines of the page, only a rejection sets the time of the last rejec
   log.refuse('A reason');
   expect(log.refusedAt).toBe(performance.now());
   expect(lines.map(({ text }) => text)).toEqual(['A line', 'A reason']);
-});
-
-test('clearing the log also discards the lines that are not due yet', () => {
-  const { arrivals, group, log, show } = opened(1);
-  show(10);
-  arrivals.addEvents([event(10.5)]);
-  log.clear();
-  expect(group.clear).toHaveBeenCalledTimes(1);
-  vi.advanceTimersByTime(500);
-  show(10.5);
-  vi.advanceTimersByTime(1000);
-  log.addDue(performance.now());
-  expect(group.add).not.toHaveBeenCalled();
 });

@@ -12,7 +12,7 @@ function picture(
 ): Polygons {
   const corners = polygons.flatMap(([, places]) => places.flat()).map((at) => Math.round(10_000 * at));
   return {
-    ...{ type: 'polygons', tick: 1, camera: 'A', text: '', share: null },
+    ...{ type: 'polygons', step: 1, camera: 'A', text: '', share: null },
     points: base64(new Uint8Array(Int16Array.from(corners).buffer)),
     corners: base64(Uint8Array.from(polygons, ([, { length }]) => length)),
     greys: base64(Uint8Array.from(polygons, ([grey]) => grey)),
@@ -94,7 +94,7 @@ afterEach(() => {
 function made() {
   const sent: Command[] = [];
   const pictures = new PolygonPictures((command) => sent.push(command));
-  const put = (camera: string, tick: number) => pictures.put({ ...picture(), camera, tick });
+  const put = (camera: string, step: number) => pictures.put({ ...picture(), camera, step });
   return { sent, pictures, put };
 }
 
@@ -125,19 +125,19 @@ test('a page asks again after a new connection, and for nothing while it is hidd
   expect(sent).toEqual([asked, asked, asks(), asked]);
 });
 
-test('a frame has the newest picture that is not newer than the frame', () => {
+test('a step has the newest picture that is not newer than the step', () => {
   const { pictures, put } = made();
   expect(pictures.at('A', 5)).toBe(null);
-  for (const tick of [3, 5, 7]) put('A', tick);
+  for (const step of [3, 5, 7]) put('A', step);
   put('B', 6);
-  expect([2, 4, 5, 6, 9].map((tick) => pictures.at('A', tick)?.tick)).toEqual([3, 3, 5, 5, 7]);
-  expect(pictures.at('B', 5)?.tick).toBe(6);
+  expect([2, 4, 5, 6, 9].map((step) => pictures.at('A', step)?.step)).toEqual([3, 3, 5, 5, 7]);
+  expect(pictures.at('B', 5)?.step).toBe(6);
 });
 
-test('a restart removes the pictures of the run before', () => {
+test('another session removes the pictures of the one before', () => {
   const { pictures, put } = made();
-  for (const tick of [90, 91, 1]) put('A', tick);
-  expect(pictures.at('A', 91)?.tick).toBe(1);
+  for (const step of [90, 91, 1]) put('A', step);
+  expect(pictures.at('A', 91)?.step).toBe(1);
 });
 
 test('a camera that is not shown any more has no old picture when it is shown again', () => {

@@ -1,7 +1,8 @@
 import { expect, test } from 'vitest';
-import { Arrivals } from '../src/link/delayed-messages';
-import type { Frame, Readiness } from '../src/link/protocol';
+import { Arrivals } from '../src/link/arrivals';
+import type { Readiness } from '../src/link/protocol';
 import { waitingText } from '../src/page/readiness';
+import { link, sent } from './sent-frames';
 
 const READY: Readiness = { type: 'readiness', waits_for: '', share: null, left_s: null, failure: '' };
 
@@ -18,8 +19,8 @@ test('a run that waits says for what, and how long', () => {
 });
 
 test('while the run stands still, its last frame is not old', () => {
-  const arrivals = new Arrivals({ command_delay_s: 0, telemetry_delay_s: 0, camera_delay_s: 0 });
-  arrivals.put({ tick: 1, time_s: 0.02 } as Frame, 1000);
+  const arrivals = new Arrivals(link());
+  arrivals.put(sent(1), 1000);
   arrivals.stands = true;
   arrivals.unseen(9000);
   expect(arrivals.silence(9000)).toBe(0);

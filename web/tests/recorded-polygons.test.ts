@@ -9,8 +9,8 @@ afterEach(() => {
   vi.useRealTimers();
 });
 
-const picture = (camera: string, tick: number): Polygons => ({
-  ...{ type: 'polygons', camera, tick },
+const picture = (camera: string, step: number): Polygons => ({
+  ...{ type: 'polygons', camera, step },
   ...{ points: '', corners: '', greys: '', text: '', share: null },
 });
 const one = (camera: string) => ({ camera, aspect: 1.5, eye: null });
@@ -37,9 +37,9 @@ test('a replay asks once for the pictures of a frame, and next for those of the 
   expect(asked).toEqual(['5 AB']);
   await answer(picture('A', 5), picture('B', 5));
   expect(asked).toEqual(['5 AB', '7 AB']);
-  expect(polygons.at('B', 7)?.tick).toBe(5);
+  expect(polygons.at('B', 7)?.step).toBe(5);
   await answer(picture('A', 7), picture('B', 7));
-  expect(polygons.at('A', 7)?.tick).toBe(7);
+  expect(polygons.at('A', 7)?.step).toBe(7);
   expect(asked.length).toBe(2);
   expect(polygons.received).toBe(2);
 });

@@ -62,17 +62,25 @@ export class Fineness {
    *
    * @param state text that `look` has returned.
    * @param views all pictures; a later one covers an earlier one.
-   * @param lively whether the pictures change even if nothing moves: they have noise.
+   * @param lively whether the pictures change even if nothing moves: they have noise, or show frames of their own.
+   * @param stage sets the scene to the frame of a picture that is not still.
    */
-  draw(scene: Scene, state: string, due: readonly View[], views: readonly View[], lively: boolean): boolean {
+  draw(
+    scene: Scene,
+    state: string,
+    due: readonly View[],
+    views: readonly View[],
+    lively: boolean,
+    stage: (view: View) => void,
+  ): boolean {
     if (!scene.refines) {
-      scene.draw(due);
+      scene.draw(due, 1, stage);
       return true;
     }
     this.area = due.reduce((sum, { rect: { width, height } }) => sum + width * height, 0);
     if (due.length > 0) {
       const { scale } = this.resolution;
-      scene.draw(due, scale);
+      scene.draw(due, scale, stage);
       this.drawn = { scale, samples: 1 };
       return lively;
     }

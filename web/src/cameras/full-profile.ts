@@ -45,7 +45,7 @@ export async function fullDrawer(
   signal.throwIfAborted();
   const full = drawer(welcome, drawing);
   try {
-    full.scene.setPoses(frame, false);
+    full.scene.setPoses(frame, false, performance.now());
     full.scene.setLighting(frame.display.lighting, frame.time_s);
     await full.scene.prepare(area, signal, progress);
   } catch (error) {

@@ -71,24 +71,24 @@ export class Panes {
    * Returns the pictures to draw now (`due`). `complete`: all other pictures already show this frame.
    *
    * @param state text that changes with the content of the pictures, but not with their exposures.
-   * @param stops function that returns the exposure of a camera's picture.
+   * @param looks function that returns a text or number that changes with what only a camera's picture shows.
    * @param count number of drawings of the page so far.
    * @param wiped whether the canvas was wiped; every picture is then due.
    */
   due(
     panes: readonly Pane[],
     state: string,
-    stops: (camera: string) => number,
+    looks: (camera: string) => string | number,
     open: boolean,
     count: number,
     wiped: boolean,
   ): { readonly due: readonly Pane[]; readonly complete: boolean } {
-    const look = ({ camera: { name } }: Pane) => `${name} ${stops(name)}`;
+    const look = ({ camera: { name } }: Pane) => `${name} ${looks(name)}`;
     // If MON 2 is in a corner of MON 1, drawing MON 1 overwrites MON 2. All pictures are then drawn together.
-    const looks = this.inset(open) ? panes.map(look).join() : null;
+    const together = this.inset(open) ? panes.map(look).join() : null;
     let complete = true;
     const due = panes.filter((pane, i) => {
-      const stamp = `${state} ${looks ?? look(pane)}`;
+      const stamp = `${state} ${together ?? look(pane)}`;
       if (this.stamps.get(pane.element) === stamp && !wiped) return false;
       if ((count + i) % pane.pace !== 0 && !wiped) {
         complete = false;

@@ -1,13 +1,14 @@
 /** The two monitors, all cameras at once, and the one canvas behind them. */
 
 import { present } from '../basics/assert';
-import type { Age } from '../link/delay-line';
+import type { Age } from '../link/age';
+import { linkOf } from '../link/frames';
+import type { PictureFrames } from '../link/picture-frames';
 import type { PolygonSource } from '../link/polygon-pictures';
-import type { Camera, ClosestPoints, Frame, FreeEye, Level, Welcome } from '../link/protocol';
+import type { Camera, ClosestPoints, Frame, FreeEye, Welcome } from '../link/protocol';
 import { Appearance, type Seventies } from '../page/appearance';
 import { keeper } from '../page/local-storage';
 import type { Drawing } from '../page/quality';
-import { FARTHEST } from '../panel/clearance/gap-scale';
 import { Matrix } from '../panel/monitors/matrix';
 import { setClass } from '../panel/parts/dom';
 import type { View as DeskView } from '../panel/parts/part';
@@ -18,7 +19,7 @@ import { freePart, freeSize, WHOLE } from '../scene/free-part';
 import { SLOWEST_MS, TooSlow } from '../scene/trial';
 import { type Pictured, PLANES, type Planes } from '../windows/opened';
 import { small } from '../words/format';
-import { showAges } from './ages';
+import { type AgeOf, showAges } from './ages';
 import { AllCameras } from './all-cameras';
 import type { Sighting, Subject } from './best-pair';
 import { Survey } from './coverage';
@@ -32,9 +33,8 @@ import type { PairOffer } from './pair-offer';
 import { ALL, PACES, type Pane, Panes } from './panes';
 import { Preparation } from './preparation';
 import { Putting } from './putting';
+import { drawnGap, isCaution, type Manner, Staging } from './staging';
 
-/** Colours of the line of minimum clearance, equal to `--caution` and `--ink` in the style sheets. */
-const [CAUTION, CALM] = ['#ffb534', '#d9dbdc'];
 /** Number of drawings in the low profile before the full profile is prepared: the page then shows its pictures. */
 const SHOWN = 3;
 /** Centres of the engineering views, besides their initial centre. */
@@ -89,6 +89,7 @@ export class Pictures {
   private survey: Survey;
   private all: AllCameras;
   private panes: Panes;
+  private staging: Staging;
   /** The drawer of the full profile, which replaces the present one when it is ready. */
   private readonly full: Preparation;
   private readonly putting = new Putting(
@@ -114,9 +115,9 @@ export class Pictures {
   private orbits = 0;
   /** Centre of the engineering views; null for their initial centre. */
   private round: Subject | null = null;
-  /** Frame that was drawn last, and frame whose pictures are on the page. */
+  /** Frame that was drawn last, and frames whose pictures are on the page. */
   private last: Frame | null = null;
-  private onPage: Frame | null = null;
+  private onPage: PictureFrames | null = null;
 
   constructor(
     private readonly welcome: Welcome,
@@ -158,7 +159,8 @@ export class Pictures {
       (...given) => fullDrawer(welcome, profile, this.area, ...given),
       (done) => this.setPreparing(done),
     );
-    ({ survey: this.survey, all: this.all, panes: this.panes } = this.partsOf(this.drawers.present));
+    const parts = this.partsOf(this.drawers.present);
+    ({ survey: this.survey, all: this.all, panes: this.panes, staging: this.staging } = parts);
     this.offers = new Offers(welcome, this.monitors, (offer) => this.listener.offered?.(offer));
   }
 
@@ -187,7 +189,8 @@ export class Pictures {
     const { welcome, matrix, monitors } = this;
     const survey = new Survey(scene, welcome);
     const all = new AllCameras(matrix, scene, survey, welcome.cameras, PACES[quality].plan);
-    return { survey, all, panes: new Panes(canvas, monitors, matrix, quality) };
+    const panes = new Panes(canvas, monitors, matrix, quality);
+    return { survey, all, panes, staging: new Staging(scene, survey) };
   }
 
   /** Draws with the drawers' present one from now on. */
@@ -197,7 +200,8 @@ export class Pictures {
     former.canvas.replaceWith(present.canvas);
     this.own = 0;
     this.fineness.forget();
-    ({ survey: this.survey, all: this.all, panes: this.panes } = this.partsOf(present));
+    const parts = this.partsOf(present);
+    ({ survey: this.survey, all: this.all, panes: this.panes, staging: this.staging } = parts);
     former.scene.dispose();
     this.setPreparing(null);
   }
@@ -301,13 +305,12 @@ export class Pictures {
   }
 
   /**
-   * Draws the pictures that are due; returns whether all pictures show this frame with a metered exposure. Pictures that
+   * Draws the pictures that are due; returns whether all pictures show these frames with a metered exposure. Pictures that
    * cannot be drawn are left as they are; their age shows it.
    *
-   * @param clearance level of the minimum clearance.
    * @param done called when the pictures are on the page, unless the page's layout has changed since they were drawn.
    */
-  draw(frame: Frame, clearance: Level, done: () => void): boolean {
+  draw(frames: PictureFrames, done: () => void): boolean {
     const { drawers, full } = this;
     const next = full.take();
     if (next) drawers.change(next);
@@ -315,12 +318,12 @@ export class Pictures {
     if (!drawers.ready(begun)) return false;
     let drawn: Drawn;
     try {
-      drawn = this.drawNow(frame, clearance, begun);
+      drawn = this.drawNow(frames, begun);
     } catch (error) {
       this.fail(error);
       return false;
     }
-    if (this.wantsFull) void full.start(frame).catch((error: unknown) => this.keepLow(error));
+    if (this.wantsFull) void full.start(frames.frame).catch((error: unknown) => this.keepLow(error));
     this.putting.start(begun, drawn.show, done);
     return drawn.complete && !drawers.fault;
   }
@@ -354,17 +357,18 @@ export class Pictures {
     this.listener.simplified?.(why);
   }
 
-  private drawNow(frame: Frame, clearance: Level, begun: number): Drawn {
-    const caution = clearance !== 'info';
+  private get manner(): Manner {
+    const { exaggerated, plane, round } = this;
+    return { exaggerated, plane, round };
+  }
+
+  private drawNow(frames: PictureFrames, begun: number): Drawn {
+    const { frame } = frames;
     const gap = drawnGap(frame);
-    this.scene.setPoses(frame, this.exaggerated);
-    this.scene.cameras.put(frame.views);
-    const round = this.round && this.survey.place(this.round, frame, gap);
-    if (round) this.scene.cameras.follow(round);
-    this.scene.setLighting(frame.display.lighting, frame.time_s);
-    this.scene.setGap(gap, caution ? CAUTION : CALM, this.plane);
-    const { ahead } = frame.display;
-    this.scene.setGhost(ahead?.held && ahead.moves ? ahead.poses : null);
+    const { manner } = this;
+    const stage = (shown: Frame) => this.staging.change(shown, manner);
+    this.staging.set(frame, manner, performance.now());
+    this.scene.setLighting(frame.display.lighting, frame.time_s); // of all pictures, also of those with other frames
     this.last = frame;
     this.begin(frame, gap);
     if (this.listener.offered) this.offers.look(frame, gap, this.survey);
@@ -382,11 +386,25 @@ export class Pictures {
     }
     const metered = panes.every(({ camera }) => !this.scene.metering(camera.name));
     const { refines } = this.scene;
-    const stops = (name: string) => (refines ? 0 : this.scene.stops(name)); // `state` contains those of the low profile
+    // `state` contains the exposures of the low profile.
+    const look = (name: string) => {
+      const stops = refines ? 0 : this.scene.stops(name);
+      return frames.differ ? `${stops} ${linkOf(frames.of(name)).step}` : stops;
+    };
     const state = this.stateOf(frame, gap, panes, metered, begun);
-    const drawn = this.panes.due(panes, state, stops, this.open, this.count, wiped);
+    const drawn = this.panes.due(panes, state, look, this.open, this.count, wiped);
     const { early } = this.appearance;
-    const final = this.fineness.draw(this.scene, state, viewsFor(drawn.due), viewsFor(panes), early);
+    const stageFor = ({ camera }: View) => stage(frames.of(camera));
+    const lively = early || frames.differ;
+    const final = this.fineness.draw(
+      this.scene,
+      state,
+      viewsFor(drawn.due),
+      viewsFor(panes),
+      lively,
+      stageFor,
+    );
+    stage(frame);
     if (this.open) this.showAll(frame, gap, wiped);
     this.scene.send();
     const show = () => {
@@ -394,18 +412,21 @@ export class Pictures {
       this.fineness.shown(begun, now);
       if (!this.panes.isLaidOut(all, this.open)) return false; // the layout has changed: all will be drawn again
       for (const [{ picture, pane, polygons }, view] of views) {
+        const shown = frames.of(view.camera);
+        const { step } = linkOf(shown);
+        stage(shown);
         if (picture)
           overlay(this.scene, picture, view, {
-            frame,
-            gap,
-            caution,
-            oneJoint: this.survey.drivesOneJoint(frame),
+            frame: shown,
+            gap: drawnGap(shown),
+            caution: isCaution(shown),
+            oneJoint: this.survey.drivesOneJoint(shown),
           });
-        if (polygons)
-          pane.show(this.listener.polygons?.at(view.camera, frame.tick) ?? null, frame.tick, freeSize(view));
+        if (polygons) pane.show(this.listener.polygons?.at(view.camera, step) ?? null, step, freeSize(view));
         else pane.hide();
       }
-      this.onPage = frame;
+      stage(frame);
+      this.onPage = frames;
       const { canvas } = this;
       // Older browsers lack this function; they only miss a hidden canvas.
       const visible = canvas.checkVisibility?.({ visibilityProperty: true, opacityProperty: true }) ?? true;
@@ -446,19 +467,22 @@ export class Pictures {
 
   /** Writes time codes and clearances of the pictures that are on the page. */
   setTime({ units }: Pick<DeskView, 'units'>): void {
-    const { onPage: frame } = this;
-    if (!frame) return;
-    const [gap, { nearest }] = [drawnGap(frame), frame.work];
+    const { onPage } = this;
+    if (!onPage) return;
     for (const picture of this.monitors.both.flatMap(({ pictures }) => pictures)) {
+      const frame = onPage.of(picture.camera.name);
+      const [gap, { nearest }] = [drawnGap(frame), frame.work];
       picture.setTime(frame, this.exaggerated && picture.polygons.hidden);
       if (!gap || !nearest) continue;
+      if (onPage.differ) this.staging.change(frame, this.manner);
       const seen = this.scene.sight.ends(picture.camera, gap.point_a, gap.point_b);
       picture.setGapText(`${small(nearest.clearance, units.gap)} ${units.gap.name}`, seen);
     }
+    if (onPage.differ && this.last) this.staging.change(this.last, this.manner);
   }
 
-  /** Writes how old the pictures are at `now` [ms]; `age`: age of the scene's pictures. Returns the age of the oldest. */
-  setAge(age: Age, now: number): Age {
+  /** Writes how old the pictures are at `now` [ms]; `age`: ages of the scene's pictures. Returns that of the latest. */
+  setAge(age: AgeOf, now: number): Age {
     const fresh = this.listener.recorded ? 'recorded' : 'live';
     return showAges(this.monitors, this.matrix, { age, fault: this.drawers.fault, fresh }, now);
   }
@@ -535,9 +559,4 @@ export class Pictures {
       this.panes.rectOf(element),
     );
   }
-}
-
-/** Returns the minimum clearance to draw as a line; null if it is large, or if the parts are in contact. */
-export function drawnGap({ work: { nearest }, display: { gap } }: Frame): ClosestPoints | null {
-  return nearest && nearest.clearance > 0 && nearest.clearance < FARTHEST ? gap : null;
 }

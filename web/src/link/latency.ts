@@ -19,9 +19,6 @@ export class Latency {
   /** Time of the last input that delayed a picture [ms]. The picture waits for a frame with this input. */
   private heldFor = Number.NEGATIVE_INFINITY;
 
-  /** `cameraDelay`: the scenario's delay of pictures, which is not counted [s]. */
-  constructor(private readonly cameraDelay = 0) {}
-
   /** Records a sticks message that was sent because of an input event at `at` [ms, as performance.now()]. */
   sent(seq: number, at: number): void {
     this.waiting.push({ seq, at });
@@ -30,11 +27,11 @@ export class Latency {
 
   /**
    * Records that a picture was drawn at `now` [ms]. `stickSeq`: number of the last sticks message that the station
-   * received before the picture's frame.
+   * received before the picture's frame; `late`: the link's delay of the picture, which is not counted [s].
    */
-  drawn(stickSeq: number, now: number): void {
+  drawn(stickSeq: number, now: number, late = 0): void {
     for (const { seq, at } of this.waiting) {
-      if (seq <= stickSeq) this.samples.add(now - at - 1000 * this.cameraDelay, now);
+      if (seq <= stickSeq) this.samples.add(now - at - 1000 * late, now);
     }
     this.waiting = this.waiting.filter(({ seq }) => seq > stickSeq);
   }
@@ -54,12 +51,11 @@ export class Latency {
   }
 
   /**
-   * Whether the next picture should wait, because a frame with a newer input than `stickSeq` will arrive soon. A
+   * Whether the next picture without delay should wait, because a frame with a newer input than `stickSeq` will arrive soon. A
    * picture that is started now would delay that frame's picture. While inputs arrive continuously, pictures are
    * delayed for at most one input in each period of `HELD_MS`.
    */
   due(stickSeq: number, now: number): boolean {
-    if (this.cameraDelay > 0) return false;
     const input = this.waiting.find(({ seq, at }) => seq > stickSeq && now - at < ANSWERED_MS);
     if (!input || (input.at > this.heldFor && input.at < this.heldFor + HELD_MS)) return false;
     this.heldFor = input.at;

@@ -17,8 +17,8 @@ export type Wanted = PolygonPicture;
 export interface PolygonSource {
   /** Sets the pictures that the page shows. */
   want(shown: readonly Wanted[]): void;
-  /** The picture of a camera to show with a frame; null if there is none yet. */
-  at(camera: string, tick: number): Polygons | null;
+  /** The picture of a camera to show with the frame of a step; null if there is none yet. */
+  at(camera: string, step: number): Polygons | null;
   dispose(): void;
 }
 
@@ -51,16 +51,16 @@ export class PolygonPictures implements PolygonSource {
   put(picture: Polygons): void {
     const stored = this.stored.get(picture.camera) ?? [];
     const last = stored.at(-1);
-    if (last && picture.tick < last.tick) stored.length = 0; // the run was restarted
+    if (last && picture.step < last.step) stored.length = 0; // of another session
     if (stored.length === MOST) stored.shift();
     stored.push(picture);
     this.stored.set(picture.camera, stored);
   }
 
-  /** The newest picture of a camera that is not newer than a frame, or else the oldest one; null if there is none. */
-  at(camera: string, tick: number): Polygons | null {
+  /** The newest picture of a camera that is not newer than a step, or else the oldest one; null if there is none. */
+  at(camera: string, step: number): Polygons | null {
     const stored = this.stored.get(camera) ?? [];
-    const later = stored.findIndex((picture) => picture.tick > tick);
+    const later = stored.findIndex((picture) => picture.step > step);
     const past = (later < 0 ? stored.length : later) - 1;
     if (past > 0) stored.splice(0, past);
     return stored[0] ?? null;

@@ -1,7 +1,7 @@
 // Generated from simulation/frame.py, report/ and station/messages by `make generate`; do not edit.
 // All quantities are SI and radians; station/messages/kinds.py defines panel and scene axes.
 
-export const PROTOCOL = 7;
+export const PROTOCOL = 8;
 
 export type Vec2 = readonly [number, number];
 export type Axis = 'x' | 'y' | 'z';
@@ -1466,6 +1466,8 @@ export interface Motion {
 
 /** Data that a page needs to display a frame: read-outs in panel components, lamps, and poses in the scene frame. */
 export interface Display {
+  /** Steps that the page shows; null in a replay, which shows this step. */
+  readonly link: LinkSteps | null;
   /** `seq` of the last `Sticks` received before this step; the page computes the latency from this number. */
   readonly stick_seq: number;
   /** `seq` of the `Sticks` that acted in this step, after the command delay; -1 if no page's `Sticks` acted. */
@@ -1506,6 +1508,23 @@ export interface Display {
   /** Seven numbers for each body, in the order of `Welcome.bodies`: x, y, z [m], w, x, y, z, in the scene frame. */
   readonly poses: readonly number[];
   readonly lighting: Lighting;
+}
+
+/**
+ * Number of a step, and the steps that the pages show when it has been made.
+ *
+ * The numbers count all steps of a session from 1; a restart does not reset them. A page shows the newest frame that
+ * it has up to a step, or else its first one. A number below 1 belongs to no step: nothing has arrived yet.
+ */
+export interface LinkSteps {
+  /** Number of the step itself. */
+  readonly step: number;
+  /** Step whose values, lamps and log the pages show. */
+  readonly telemetry: number;
+  /** Step that the pictures of all cameras show, except those in `cameras`. */
+  readonly pictures: number;
+  /** Cameras whose pictures show another step. */
+  readonly cameras: readonly (readonly [camera: string, step: number])[];
 }
 
 /** Point of resolution, in panel components. */
@@ -1668,8 +1687,8 @@ export interface Ahead {
  */
 export interface Polygons {
   readonly type: 'polygons';
-  /** `Frame.tick` of the frame; -1 if the picture belongs to no frame. */
-  readonly tick: number;
+  /** Step of the frame: `LinkSteps.step`, in a replay `Frame.tick`; -1 if the picture belongs to no frame. */
+  readonly step: number;
   readonly camera: string;
   /**
    * x and y of all corners, as 16-bit integers (little-endian): 10,000 is half the width of the picture.

@@ -5,7 +5,7 @@ import { Pictures } from '../cameras/pictures';
 import { CameraHand, together } from '../input/camera-hand';
 import { keyOf } from '../input/layout';
 import { reread } from '../input/store';
-import { Arrivals } from '../link/delayed-messages';
+import { Arrivals } from '../link/arrivals';
 import { Latency } from '../link/latency';
 import { PolygonPictures } from '../link/polygon-pictures';
 import type { Welcome } from '../link/protocol';
@@ -62,7 +62,7 @@ export function buildParts(
     pressed: (lamp) => operations.explain(lamp),
   });
   const units = new ShownUnits(welcome.units);
-  const latency = new Latency(welcome.camera_delay_s);
+  const latency = new Latency();
   const arrivals = new Arrivals(welcome);
   const keys = new KeyMap(welcome, () => operations.openControllers());
   const events = new EventsGroup([welcome.text, ...reread(), keysHint()]);

@@ -1,8 +1,8 @@
 /** Decides when pictures, bars and numbers are drawn, and from which frame. Numbers change ten times a second. */
 
 import type { Pictures } from '../cameras/pictures';
-import type { Seen } from '../link/delay-line';
-import type { Arrivals } from '../link/delayed-messages';
+import type { Arrivals } from '../link/arrivals';
+import type { Seen } from '../link/frames';
 import type { Latency } from '../link/latency';
 import type { Frame, ModeInfo, Welcome } from '../link/protocol';
 import type { Groups } from '../panel/desk/desk';
@@ -62,16 +62,18 @@ export class DrawLoop {
 
   /** Draws what is due. Until the previous pictures are on the page, updates only overdue numbers, lamps and tones. */
   draw(now: number): void {
-    const [telemetry, seen] = [this.arrivals.at('telemetry', now), this.arrivals.at('camera', now)];
-    if (!telemetry || !seen) return;
+    const { arrivals } = this;
+    const [telemetry, seen, frames] = [arrivals.at('telemetry'), arrivals.at('camera'), arrivals.pictures];
+    if (!telemetry || !seen || !frames) return;
     const { pictures, groups } = this.parts;
     const view = this.parts.viewOf(telemetry.frame);
     if (pictures.drawing) {
       // Numbers, lamps and tones do not wait longer than OVERDUE_MS for slow pictures.
-      if (now - this.valuesAt >= OVERDUE_MS) this.values(view, now);
+      if (now - this.valuesAt >= OVERDUE_MS) this.values(view, telemetry, now);
       return;
     }
-    this.held = this.latency.due(seen.frame.display.stick_seq, now);
+    const late = arrivals.late('camera');
+    this.held = late === 0 && this.latency.due(seen.frame.display.stick_seq, now);
     if (this.held) return;
     this.operator.sticks.driving = this.modes.get(telemetry.frame.mode) === 'single';
     // The bars move even if no picture is drawn.
@@ -79,32 +81,31 @@ export class DrawLoop {
     const barsMove = this.turns % this.barPace === 0;
     this.fresh = false;
     // Pictures first: they read the page's layout, and moving the desk's bars forces the browser to compute it again.
-    pictures.draw(seen.frame, seen.frame.work.clearance_level, () => this.pictured(seen));
+    pictures.draw(frames, () => this.pictured(seen, late));
     if (barsMove) groups.bars(view);
     this.parts.bars();
-    if (barsMove && now - this.valuesAt >= VALUES_MS) this.values(view, now);
+    if (barsMove && now - this.valuesAt >= VALUES_MS) this.values(view, telemetry, now);
   }
 
-  /** Called when the pictures of a frame are on the page: counts them and measures their latency. */
-  private pictured(seen: Seen): void {
+  /** Called when the pictures of a frame are on the page: counts them and measures their latency without the link's. */
+  private pictured(seen: Seen, late: number): void {
     const now = performance.now();
     this.drawn += 1;
     this.shown = this.figures;
-    this.latency.drawn(seen.frame.display.stick_seq, now);
+    this.latency.drawn(seen.frame.display.stick_seq, now, late);
     this.arrivals.show('camera', seen, now);
     if (this.fresh) this.draw(now);
   }
 
-  private values(view: View, now: number): void {
+  private values(view: View, telemetry: Seen, now: number): void {
     this.valuesAt = now;
     const { pictures, groups } = this.parts;
     pictures.setTime(view);
     groups.values(view);
     const delays = this.arrivals.delays(this.latency.answer(now), now);
     this.parts.values(view, { picture: this.latency.percentile95(now), delays }, now);
-    const telemetry = this.arrivals.at('telemetry', now);
-    if (telemetry) this.arrivals.show('telemetry', telemetry, now);
-    this.figures = { frame: view.frame, restarts: this.arrivals.restarts };
+    this.arrivals.show('telemetry', telemetry, now);
+    this.figures = telemetry;
     if (!pictures.drawing) this.shown = this.figures;
   }
 }

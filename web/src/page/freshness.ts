@@ -1,8 +1,8 @@
 /** Marks pictures and numbers that are old. It has its own clock, so that it goes on when nothing is drawn any more. */
 
 import type { Pictures } from '../cameras/pictures';
-import { type Age, isStale } from '../link/delay-line';
-import type { Arrivals } from '../link/delayed-messages';
+import { type Age, isStale } from '../link/age';
+import type { Arrivals } from '../link/arrivals';
 import type { Level } from '../link/protocol';
 import { setClass } from '../panel/parts/dom';
 
@@ -28,7 +28,7 @@ export class Freshness {
   look(now: number): void {
     const { arrivals } = this;
     if (document.hidden) arrivals.unseen(now);
-    this.pictures = this.drawn.setAge(arrivals.age('camera', now), now);
+    this.pictures = this.drawn.setAge((camera) => arrivals.age('camera', now, camera), now);
     setClass(document.body, 'stale', isStale(arrivals.age('telemetry', now)));
     const lost = isStale(this.pictures) && this.pictures.undrawn;
     if (lost && !this.logged)

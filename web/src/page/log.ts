@@ -1,9 +1,6 @@
-/**
- * The page's log: the page's own lines, and the station's lines. If telemetry is delayed, a line of the station is
- * shown when the displayed numbers have reached the line's time.
- */
+/** The page's log: the page's own lines, and the station's lines, which the station sends when the page shows their step. */
 
-import type { Arrivals } from '../link/delayed-messages';
+import type { Arrivals } from '../link/arrivals';
 import type { Level, Event as LogEvent } from '../link/protocol';
 import type { EventsGroup } from '../panel/desk/events';
 import type { LampName } from '../panel/spine/lamps';
@@ -24,11 +21,7 @@ export class Log {
     private readonly arrivals: Arrivals,
   ) {}
 
-  /** Adds the station's lines that are due at the time `now` [ms]. */
-  addDue(now: number): void {
-    this.add(this.arrivals.dueEvents(now));
-  }
-
+  /** Adds lines of the station. */
   add(events: readonly LogEvent[]): void {
     if (events.length === 0) return;
     const frame = this.arrivals.telemetry;
@@ -68,7 +61,6 @@ export class Log {
   }
 
   clear(): void {
-    this.arrivals.takeEvents();
     this.group.clear();
   }
 }

@@ -2,7 +2,7 @@
 
 import type { Pictures } from '../cameras/pictures';
 import type { CameraHand } from '../input/camera-hand';
-import type { Arrivals } from '../link/delayed-messages';
+import type { Arrivals } from '../link/arrivals';
 import type { Latency } from '../link/latency';
 import type { PolygonPictures } from '../link/polygon-pictures';
 import type { Welcome } from '../link/protocol';

@@ -34,6 +34,8 @@ export class Station {
   private readonly loop: DrawLoop;
   private readonly ended = new AbortController();
   private request = 0;
+  /** Number of restarts before the frame that the numbers show. */
+  private restarts = 0;
   /** Whether the station knows that this page has drawn its first pictures. */
   private saidDrawn = false;
 
@@ -86,15 +88,15 @@ export class Station {
     return this.parts.latency.percentile95(performance.now());
   }
 
-  /** Stores a newer frame. Numbers and pictures show the frame after their set delays. */
+  /** Stores a newer frame, which names the frames that numbers and pictures show. */
   setFrame(frame: Frame): void {
     const now = performance.now();
-    const { arrivals, latency, log, operator, spine } = this.parts;
-    if (arrivals.put(frame, now)) {
-      spine.forget();
-      latency.forget(); // after a restart, no frame will use stick messages that were in the command delay
-      log.add(arrivals.takeEvents());
-    }
+    const { arrivals, latency, operator, spine } = this.parts;
+    // After a restart, no frame will use stick messages that were in the command delay.
+    if (arrivals.put(frame, now)) latency.forget();
+    const restarts = arrivals.at('telemetry')?.restarts ?? 0;
+    if (restarts !== this.restarts) spine.forget();
+    this.restarts = restarts;
     operator.sticks.kept = frame.rate_hold;
     latency.answered(frame.display.flown_seq, now);
     this.loop.arrived(now);
@@ -140,10 +142,8 @@ export class Station {
     arrivals.stands = readiness.stands;
   }
 
-  /** Stores lines of the log. Each line appears when the numbers reach its time. */
   addEvents(events: readonly LogEvent[]): void {
-    this.parts.arrivals.addEvents(events);
-    this.parts.log.addDue(performance.now());
+    this.parts.log.add(events);
   }
 
   /** Shows what changes in flight have changed in the welcome. */
@@ -186,12 +186,11 @@ export class Station {
   private tick(): void {
     this.request = requestAnimationFrame(() => this.tick());
     const now = performance.now();
-    const { arrivals, operator, swap, devices, control, log } = this.parts;
+    const { arrivals, operator, swap, devices, control } = this.parts;
     if (1000 * arrivals.silence(now) > LOST_MS) operator.zero();
     operator.tick(now);
     swap.show();
     devices.watch(control.role.flying, operator.flying);
-    log.addDue(now);
     this.loop.draw(now);
     if (!this.saidDrawn && this.loop.drawn > 0 && operator.flying) {
       this.saidDrawn = true;

@@ -51,7 +51,7 @@ export class RecordedPolygons implements PolygonSource {
   private put(pictures: readonly Polygons[], about: string): void {
     for (const picture of pictures) this.newest.set(picture.camera, picture);
     this.received += 1;
-    if (pictures.some(({ tick }) => tick < 0)) {
+    if (pictures.some(({ step }) => step < 0)) {
       this.repeat(); // the station prepares the look
       return;
     }

@@ -1,7 +1,9 @@
 /** The page of a replay: monitors, summary values of the run, and below them the time axis. It follows the playhead. */
 
 import { Pictures } from '../cameras/pictures';
-import { DelayLine } from '../link/delay-line';
+import { Displayed } from '../link/age';
+import { Frames } from '../link/frames';
+import { PictureFrames } from '../link/picture-frames';
 import type { Frame, PlaybackIndex } from '../link/protocol';
 import { publish } from '../page/hook';
 import type { Drawing } from '../page/quality';
@@ -45,7 +47,8 @@ export class Replay {
   private complete = false;
   private blockedUntil = 0;
   /** The frames at the playhead, and how long the pictures have not shown them. */
-  private readonly line = new DelayLine(0);
+  private readonly frames: Frames;
+  private readonly displayed: Displayed;
   private readonly windows: ReplayWindows;
   private readonly player: Player;
   /** Pictures in the look of 1972; null if nothing computes them. */
@@ -68,6 +71,8 @@ export class Replay {
   ) {
     this.units = new ShownUnits(index.welcome.units);
     this.changes = new FlownChanges(index);
+    this.frames = new Frames(index.welcome.control_period_s);
+    this.displayed = new Displayed(this.frames, 'camera');
     this.player = new Player(index, (number) => source.block(number));
     this.polygons = source.polygons ? new RecordedPolygons(source.polygons) : null;
     this.pictures = new Pictures(index.welcome, drawing, {
@@ -151,8 +156,8 @@ export class Replay {
 
   /** Shows at `now` [ms] whether the pictures are old, even if nothing is drawn. */
   private showAge(now: number): void {
-    if (document.hidden) this.line.displayed(now);
-    this.pictures.setAge(this.line.age(now), now);
+    if (document.hidden) this.displayed.displayed(now);
+    this.pictures.setAge(() => this.displayed.age(now), now);
   }
 
   private tick(): void {
@@ -167,19 +172,19 @@ export class Replay {
       this.pictures.renew();
       this.pictured = '';
     }
-    if (moment) this.line.put({ frame: moment.frame, at: now });
+    if (moment) this.frames.put(moment.frame, now);
     if (this.pictures.lost) this.complete = false;
     if (moment && !this.pictures.drawing && (this.isNew(moment.frame) || !this.complete)) {
       this.desk.bars(moment.frame, units);
       this.cameras.show(position);
       const { frame } = moment;
-      this.complete = this.pictures.draw(frame, frame.work.clearance_level, () => {
+      this.complete = this.pictures.draw(new PictureFrames(frame), () => {
         this.pictures.setTime({ units });
-        this.line.displayed(performance.now());
+        this.displayed.displayed(performance.now());
         this.drawn += 1;
         this.shown = this.figures;
       });
-    } else if (this.complete && !this.pictures.drawing) this.line.displayed(now); // the pictures show this frame
+    } else if (this.complete && !this.pictures.drawing) this.displayed.displayed(now); // the pictures show this frame
     this.timeline.show(position, moment, units);
     if (now - this.valuesAt >= VALUES_MS) {
       this.valuesAt = now;

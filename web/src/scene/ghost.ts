@@ -65,6 +65,7 @@ export class Ghost {
   private readonly lines: LineSegments[] = [];
   private shown = 0;
   private at = performance.now();
+  private hidden = false;
 
   /** `colour`: a colour `#rrggbb`, which is displayed as it is, neither lit nor converted. */
   constructor(stage: Stage, bodies: readonly Body[], colour: string, faces: Faces) {
@@ -104,14 +105,13 @@ export class Ghost {
     return this.shown;
   }
 
-  /** Sets the poses: seven numbers for each body, as in `Display.poses`; null lets the ghost fade. */
-  set(poses: readonly number[] | null, now: number): void {
-    const step = Math.max(0, now - this.at) / 1000 / FADE_S;
-    this.at = now;
-    this.shown = Math.min(1, Math.max(0, this.shown + (poses ? step : -step)));
-    const { shown } = this.fill.uniforms;
-    if (shown) shown.value = this.shown;
-    this.edge.opacity = EDGE * this.shown;
+  /**
+   * Sets the poses: seven numbers for each body, as in `Display.poses`. Null lets the ghost fade with the time `now` [ms],
+   * or hides it if `now` is null: the pictures drawn next show a frame without the ghost.
+   */
+  set(poses: readonly number[] | null, now: number | null): void {
+    this.hidden = !poses && now === null;
+    if (now !== null) this.fade(poses ? 1 : -1, now);
     if (!poses) return;
     this.parts.forEach((each, i) => {
       const { part, body } = each;
@@ -127,7 +127,7 @@ export class Ghost {
 
   /** Sets whether the pictures that are drawn next show the ghost. */
   setVisible(on: boolean): void {
-    for (const { part, moves } of this.parts) part.visible = on && moves && this.shown > 0;
+    for (const { part, moves } of this.parts) part.visible = on && !this.hidden && moves && this.shown > 0;
   }
 
   dispose(): void {
@@ -135,6 +135,15 @@ export class Ghost {
     for (const { geometry } of this.lines) geometry.dispose();
     this.fill.dispose();
     this.edge.dispose();
+  }
+
+  private fade(way: 1 | -1, now: number): void {
+    const step = Math.max(0, now - this.at) / 1000 / FADE_S;
+    this.at = now;
+    this.shown = Math.min(1, Math.max(0, this.shown + way * step));
+    const { shown } = this.fill.uniforms;
+    if (shown) shown.value = this.shown;
+    this.edge.opacity = EDGE * this.shown;
   }
 
   private add(part: Object3D, { geometry }: Mesh): void {

@@ -32,7 +32,7 @@ export class GoalGhost {
   }
 
   /** Shows the place of a frame's `to_go`; the bodies must already have the poses of this frame. */
-  set({ display: { to_go }, work }: Frame, now: number): void {
+  set({ display: { to_go }, work }: Frame, now: number | null): void {
     if (!to_go || to_go.shift.length === 0 || isThere(to_go)) {
       this.ghost.set(null, now);
       return;

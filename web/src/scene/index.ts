@@ -127,17 +127,18 @@ export class Scene {
 
   /**
    * Sets the poses of all bodies to those in a frame's `display.poses`, and bends the booms. A pose is x, y, z [m],
-   * w, x, y, z in the scene frame.
+   * w, x, y, z in the scene frame. `now`: the time with which ghosts fade [ms]; null: they do not fade.
    */
-  setPoses(frame: Frame, exaggerated: boolean): void {
+  setPoses(frame: Frame, exaggerated: boolean, now: number | null): void {
     const { display, dynamics, work } = frame;
     this.bodies.forEach((body, i) => {
       body.setPose(display.poses, POSE * i);
     });
     const held = [OWN_PAYLOAD, ...work.cargo.flatMap(({ held, name }) => (held ? [name] : []))];
     this.bending.show(dynamics?.bends ?? [], exaggerated ? EXAGGERATION : 1, held);
-    this.goal.set(frame, performance.now());
+    this.goal.set(frame, now);
     this.illumination.follow();
+    this.renderer.shadowMap.needsUpdate = true;
   }
 
   /** Sets light, lamps and locked exposures at a time of the run [s]. */
@@ -182,8 +183,8 @@ export class Scene {
   }
 
   /** Shows the bodies of `Welcome.ghost` at the poses of the look-ahead; null hides them. */
-  setGhost(poses: readonly number[] | null): void {
-    this.ghost.set(poses, performance.now());
+  setGhost(poses: readonly number[] | null, now: number | null): void {
+    this.ghost.set(poses, now);
   }
 
   /**
@@ -221,11 +222,17 @@ export class Scene {
     return this.ratio;
   }
 
-  /** Redraws these views; all other views keep their pictures. `scale`: their resolution, as a share of the screen's. */
-  draw(views: readonly View[], scale = 1): void {
+  /**
+   * Redraws these views; all other views keep their pictures.
+   *
+   * @param scale their resolution, as a share of the screen's.
+   * @param stage called before each view, to set the poses that it shows.
+   */
+  draw(views: readonly View[], scale: number, stage: (view: View) => void): void {
     const { renderer } = this;
-    renderer.shadowMap.needsUpdate = true;
-    for (const { camera, rect, free, early } of views) {
+    for (const view of views) {
+      const { camera, rect, free, early } = view;
+      stage(view);
       const area = this.aim(rect, rect, scale);
       if (!area) continue;
       const factor = this.show(camera, rect);

@@ -15,7 +15,6 @@ export class LastMinutes {
   private lanes: readonly Lane[] = [];
   private samples: Sample[] = [];
   private events: LogEvent[] = [];
-  private until = Infinity;
 
   take({ strips, samples, lanes }: Recent): void {
     if (strips.length > 0) {
@@ -29,11 +28,6 @@ export class LastMinutes {
     const kept = this.samples.findIndex(({ time_s }) => time_s >= before);
     this.samples.splice(0, kept);
     this.forgetEvents(before);
-  }
-
-  /** Sets the displayed time [s]. Later data is stored, but not displayed yet. */
-  reach(time: number): void {
-    this.until = time;
   }
 
   /** Adds lines to the log. If a line's time is before that of the last line, the run was restarted: clears the log. */
@@ -51,12 +45,12 @@ export class LastMinutes {
     this.events = [];
   }
 
-  /** The newest displayed sample; null before the first one. */
+  /** The newest sample; null before the first one. */
   get newest(): Sample | null {
-    return this.samples.findLast(({ time_s }) => time_s <= this.until) ?? null;
+    return this.samples.at(-1) ?? null;
   }
 
-  /** Time of the newest displayed sample [s]; 0 before the first one. */
+  /** Time of the newest sample [s]; 0 before the first one. */
   get now(): number {
     return this.newest?.time_s ?? 0;
   }
@@ -72,14 +66,14 @@ export class LastMinutes {
       0,
       this.samples.findIndex(({ time_s }) => time_s >= span.from),
     );
-    const samples = this.samples.slice(begin).filter(({ time_s }) => time_s <= this.until);
+    const samples = this.samples.slice(begin);
     let first = 0;
     const strips = this.strips.map((strip) => {
       const from = first;
       first += strip.curves.length;
       return chosen.includes(strip.name) ? drawn(strip, samples, from, units) : strip;
     });
-    const events = this.events.filter(({ time_s }) => time_s >= span.from && time_s <= this.until);
+    const events = this.events.filter(({ time_s }) => time_s >= span.from);
     return { lanes: this.lanes.map((lane) => goingOn(lane, span, this.now)), events, strips };
   }
 

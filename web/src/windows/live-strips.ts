@@ -1,6 +1,7 @@
 /** A secondary window with the last minutes of a live run as lanes and strips; the present time is at the right. */
 
-import { DelayLine, isStale } from '../link/delay-line';
+import { Displayed, isStale } from '../link/age';
+import { Frames } from '../link/frames';
 import type { Frame, Event as LogEvent, Recent, Welcome } from '../link/protocol';
 import { setClass } from '../panel/parts/dom';
 import { minutes } from '../replay/quantity';
@@ -23,9 +24,8 @@ export class LiveStrips {
   readonly bodies = [];
   readonly sharpness = null;
   shown: { readonly frame: Frame | null; readonly restarts: number } = { frame: null, restarts: 0 };
-  private newest: Frame | null = null;
-  private restarts = 0;
-  private readonly line: DelayLine;
+  private readonly frames: Frames;
+  private readonly displayed: Displayed;
   private window: StripWindow | null = null;
   private choice = FIRST;
   private span: Span = { from: 0, to: 0 };
@@ -38,7 +38,8 @@ export class LiveStrips {
     private readonly root: HTMLElement,
     private readonly welcome: Welcome,
   ) {
-    this.line = new DelayLine(welcome.telemetry_delay_s);
+    this.frames = new Frames(welcome.control_period_s);
+    this.displayed = new Displayed(this.frames, 'telemetry');
     this.tether = new Tether({ ...FLOWN, name: 'Strips', title: welcome.title }, { heard() {} });
     root.classList.add('torn-off', 'strips-live');
     root.replaceChildren(this.tether.rail);
@@ -46,9 +47,7 @@ export class LiveStrips {
   }
 
   setFrame(frame: Frame): void {
-    if (this.newest && frame.tick < this.newest.tick) this.restarts += 1;
-    this.newest = frame;
-    this.line.put({ frame, at: performance.now() });
+    this.frames.put(frame, performance.now());
   }
 
   setRecent(recent: Recent): void {
@@ -84,12 +83,10 @@ export class LiveStrips {
   private draw(): void {
     const { window: shown, minutes: last, choice } = this;
     const now = performance.now();
-    const frame = this.line.at(now)?.frame;
-    if (!frame || !shown) return;
-    last.reach(this.welcome.telemetry_delay_s > 0 ? frame.time_s : Infinity);
-    if (!last.newest) return;
-    const age = this.line.age(now);
-    this.tether.showDue(this.line, now, age);
+    const seen = this.frames.at('telemetry');
+    if (!seen || !shown || !last.newest) return;
+    const age = this.displayed.age(now);
+    this.tether.showAt(seen.frame, age);
     setClass(document.body, 'stale', isStale(age));
     const units = unitsOf(this.tether.page?.units ?? this.welcome.units);
     const asked = [this.length, units.name, ...shown.chosen].join();
@@ -106,8 +103,8 @@ export class LiveStrips {
       choice < LENGTHS.length - 1,
       choice > 0,
     );
-    this.shown = { frame, restarts: this.restarts };
-    this.line.displayed(now);
+    this.shown = seen;
+    this.displayed.displayed(now);
   }
 }
 

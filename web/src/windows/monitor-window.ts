@@ -5,7 +5,8 @@ import { Pictures } from '../cameras/pictures';
 import type { Action } from '../input/action';
 import { Keyboard } from '../input/keyboard';
 import { USES } from '../input/keymap';
-import { DelayLine } from '../link/delay-line';
+import { Displayed } from '../link/age';
+import { Frames } from '../link/frames';
 import { PolygonPictures, type PolygonSource } from '../link/polygon-pictures';
 import type { Frame, Welcome } from '../link/protocol';
 import type { Drawing } from '../page/quality';
@@ -30,9 +31,8 @@ export class Display {
   shown: { readonly frame: Frame | null; readonly restarts: number } = { frame: null, restarts: 0 };
   /** Last frame whose time the window has displayed, and the count of restarts before this frame. */
   private latest = this.shown;
-  private newest: Frame | null = null;
-  private restarts = 0;
-  private readonly line: DelayLine;
+  private readonly frames: Frames;
+  private readonly displayed: Displayed;
   private valuesAt = 0;
   private request = 0;
   private readonly timer: number;
@@ -54,7 +54,8 @@ export class Display {
   ) {
     const name = what === 'matrix' ? 'All cameras' : `MON ${what + 1}`;
     this.units = welcome.units;
-    this.line = new DelayLine(played ? 0 : welcome.camera_delay_s);
+    this.frames = new Frames(welcome.control_period_s);
+    this.displayed = new Displayed(this.frames, 'camera');
     this.tether = new Tether(
       { ...(played ? { ...PLAYED, file: played.file } : FLOWN), name, title: welcome.title },
       {
@@ -99,9 +100,7 @@ export class Display {
   }
 
   setFrame(frame: Frame): void {
-    if (this.newest && frame.tick < this.newest.tick) this.restarts += 1;
-    this.newest = frame;
-    this.line.put({ frame, at: performance.now() });
+    this.frames.put(frame, performance.now());
   }
 
   changed(): void {
@@ -118,28 +117,31 @@ export class Display {
 
   private tick(): void {
     this.request = requestAnimationFrame(() => this.tick());
-    if (this.played && this.newest) this.setFrame(this.newest); // a recording does not grow old
-    const frame = this.line.at(performance.now())?.frame;
-    if (!frame || this.pictures.drawing) return;
+    if (this.played && this.frames.newest) this.setFrame(this.frames.newest.frame); // a recording does not grow old
+    const [seen, pictures] = [this.frames.at('camera'), this.frames.pictures];
+    if (!seen || !pictures || this.pictures.drawing) return;
     this.hearing = true; // cameras chosen by the first drawing are not sent to the page
-    this.pictures.draw(frame, frame.work.clearance_level, () => {
+    const done = () => {
       this.drawn += 1;
-      this.line.displayed(performance.now());
+      this.displayed.displayed(performance.now());
       this.shown = this.latest;
-    });
+    };
+    this.pictures.draw(pictures, done);
     this.hearing = false;
     const now = performance.now();
     if (now - this.valuesAt < VALUES_MS) return;
     this.valuesAt = now;
     this.pictures.setTime({ units: unitsOf(this.units) });
-    this.latest = { frame, restarts: this.restarts };
+    this.latest = seen;
     if (!this.pictures.drawing) this.shown = this.latest;
   }
 
   /** Shows how old the pictures are at `now` [ms], even if nothing is drawn. */
   private showAge(now: number): void {
-    if (document.hidden) this.line.displayed(now);
-    this.tether.showDue(this.line, now, this.pictures.setAge(this.line.age(now), now));
+    if (document.hidden) this.displayed.displayed(now);
+    const age = this.pictures.setAge((camera) => this.displayed.age(now, false, camera), now);
+    const seen = this.frames.at('camera');
+    if (seen) this.tether.showAt(seen.frame, age);
   }
 
   /** Applies the page's state. */

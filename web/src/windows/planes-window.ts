@@ -1,6 +1,7 @@
 /** A secondary window that shows what decides the order of the bodies in a monitor's picture, as a sheet. */
 
-import { DelayLine } from '../link/delay-line';
+import { Displayed } from '../link/age';
+import { Frames } from '../link/frames';
 import type { Frame, Welcome } from '../link/protocol';
 import { button, el, setPressed, setText } from '../panel/parts/dom';
 import { FLOWN, Tether } from './secondary-window';
@@ -16,7 +17,8 @@ export class PlanesWindow {
   readonly bodies = [];
   readonly sharpness = null;
   shown: { readonly frame: Frame | null; readonly restarts: number } = { frame: null, restarts: 0 };
-  private readonly line: DelayLine;
+  private readonly frames: Frames;
+  private readonly displayed: Displayed;
   private readonly tether: Tether;
   private readonly names: readonly string[];
   private readonly keys: readonly HTMLButtonElement[];
@@ -45,7 +47,8 @@ export class PlanesWindow {
     welcome: Welcome,
     private readonly monitor: 0 | 1,
   ) {
-    this.line = new DelayLine(welcome.telemetry_delay_s);
+    this.frames = new Frames(welcome.control_period_s);
+    this.displayed = new Displayed(this.frames, 'camera');
     this.names = welcome.cameras.filter(({ kind }) => kind !== 'engineering').map(({ name }) => name);
     this.camera = this.names[0] ?? '';
     this.keys = this.names.map((name) => button({}, [name], () => this.choose(name)));
@@ -80,9 +83,8 @@ export class PlanesWindow {
   }
 
   setFrame(frame: Frame): void {
-    this.line.put({ frame, at: performance.now() });
-    const restarts = this.shown.restarts + Number(frame.tick < (this.shown.frame?.tick ?? 0));
-    this.shown = { frame, restarts };
+    this.frames.put(frame, performance.now());
+    this.shown = this.frames.at('camera') ?? this.shown;
   }
 
   dispose(): void {
@@ -94,8 +96,8 @@ export class PlanesWindow {
 
   private showTime(): void {
     const now = performance.now();
-    this.tether.showDue(this.line, now);
-    this.line.displayed(now);
+    if (this.shown.frame) this.tether.showAt(this.shown.frame, this.displayed.age(now));
+    this.displayed.displayed(now);
   }
 
   /** Puts a camera on the page's monitor, and shows its sheet. */

@@ -1,7 +1,8 @@
 /** Base of every secondary window: its rail, the channel to its page, and the keys that it sends there. */
 
 import { KeyRelay } from '../input/key-relay';
-import { type DelayLine, isStale } from '../link/delay-line';
+import { type Age, isStale } from '../link/age';
+import type { Frame } from '../link/protocol';
 import { el, setClass, setText } from '../panel/parts/dom';
 import { missionTime } from '../words/format';
 import { type PageState, tornOff, type WindowMessage, Windows } from './opened';
@@ -105,10 +106,9 @@ export class Tether {
     setClass(this.state, 'lost', lost !== '' || this.gone);
   }
 
-  /** Shows the time of the frame that is due at `now` [ms]; `age`: age of what the window displays. */
-  showDue(line: DelayLine, now: number, age = line.age(now)): void {
-    const due = line.at(now);
-    if (due) this.show(missionTime(due.frame.time_s), isStale(age) ? 'Lost' : '');
+  /** Shows the time of a frame; `age`: age of what the window displays. */
+  showAt({ time_s }: Pick<Frame, 'time_s'>, age: Age): void {
+    this.show(missionTime(time_s), isStale(age) ? 'Lost' : '');
   }
 
   dispose(): void {

@@ -26,6 +26,7 @@ from aftdeck.station.messages.frame import (
     Debrief,
     Display,
     Frame,
+    LinkSteps,
     Push,
     Resolution,
     TaskNow,
@@ -90,13 +91,15 @@ class Displays:
         debrief: Debrief | None = None,
         autopilot: AutopilotName | None = None,
         pair: TaskPair | None = None,
+        link: LinkSteps | None = None,
     ) -> Frame:
         """Return a frame as a message to a page.
 
         If `lighting` is None, the message has the scenario's lighting; if `lamps` is None, the lamps that this frame
         lights. `progress` is the progress through the task, which has seen this frame, and `debrief` its result;
         both are None in a replay. `autopilot` is what flies; the script is
-        known from the frame. `pair` is the newest result of the method `pair`.
+        known from the frame. `pair` is the newest result of the method `pair`. `link` has the steps that the
+        pages show; it is None in a replay.
         """
         tip = Pose(np.array(frame.position), np.array(frame.orientation))
         loaded = MODES[frame.mode].loaded and not self._scenario.strict
@@ -105,6 +108,7 @@ class Displays:
         work, left = frame.work, progress.remaining() if progress else self._aims.remaining(frame, None)
         closing = progress.closing() if progress else None
         display = Display(
+            link=link,
             stick_seq=stick_seq,
             flown_seq=flown_seq,
             autopilot="script" if frame.by == "script" else autopilot,

@@ -40,7 +40,7 @@ class PolygonPictures:
         self._scene = VisualScene(scenario)
         self._own = luminance(self._scene.clusters.colours)
 
-    def of(self, frame: Frame, shot: Shot, aspect: float, light: LightCondition) -> Polygons:
+    def of(self, frame: Frame, shot: Shot, aspect: float, light: LightCondition, step: int) -> Polygons:
         """Return the picture of a camera in a frame; if it cannot be drawn, its text says why.
 
         Args:
@@ -48,6 +48,7 @@ class PolygonPictures:
             shot: the camera.
             aspect: width of the picture divided by its height.
             light: direction and strength of the light.
+            step: number of the frame's step, for the message.
         """
         camera, eye = shot
         try:
@@ -55,11 +56,11 @@ class PolygonPictures:
             drawn = self._scene.polygons(frame, aim)
         except SimulationError as error:
             when = f" at {frame.time_s:g} s"  # the monitor shows the time elsewhere
-            return no_polygons(camera, f"No picture: {error}.".replace(when, ""), frame.tick)
+            return no_polygons(camera, f"No picture: {error}.".replace(when, ""), step)
         points = drawn.points * (HALF_WIDTH * np.array([aim.part[0], aim.part[1] / aspect]))
         greys = grey_levels(self._own[drawn.face], brightness(product(drawn.normal, aim.axes), light))
         return Polygons(
-            tick=frame.tick,
+            step=step,
             camera=camera,
             points=np.rint(points).astype("<i2").tobytes(),
             corners=np.diff(drawn.begins).astype(np.uint8).tobytes(),
@@ -68,6 +69,6 @@ class PolygonPictures:
         )
 
 
-def no_polygons(camera: str, text: str, tick: int = -1, share: float | None = None) -> Polygons:
+def no_polygons(camera: str, text: str, step: int = -1, share: float | None = None) -> Polygons:
     """Return a picture without polygons; `text` says why there are none, and `share` what is done of a preparation."""
-    return Polygons(tick, camera, b"", b"", b"", text, share)
+    return Polygons(step, camera, b"", b"", b"", text, share)

@@ -30,16 +30,16 @@ from aftdeck.station.core.autopilot import SCRIPT, Autopilots, Engaged
 from aftdeck.station.core.commands import inputs_of, travel
 from aftdeck.station.core.desk import NOT_IN_CONTROL, Answer, Desk, Page
 from aftdeck.station.core.light import Lights
-from aftdeck.station.core.log import Log
+from aftdeck.station.core.link import Link, LinkDelays
 from aftdeck.station.core.look import Look
 from aftdeck.station.core.lost_time import LostTime
 from aftdeck.station.core.page_inputs import SILENCE, Taken
 from aftdeck.station.core.pulses import Pulses
-from aftdeck.station.core.recent import RecentRun
 from aftdeck.station.core.release import ReleaseQuestion
 from aftdeck.station.core.roles import ControlRoles
 from aftdeck.station.core.step import PUNCTUAL, Begun, Delay, Observer, Step
 from aftdeck.station.core.task_run import TaskRun
+from aftdeck.station.core.telemetry import Telemetry
 from aftdeck.station.core.unattended import safe_inputs
 from aftdeck.station.messages import from_page, to_page
 
@@ -74,8 +74,9 @@ class Core:
         scenario: the scenario that is run.
         welcome: first message to a new page.
         desk: what the pages ask for.
-        recent: the last minutes of the present run.
-        log: events of all runs of the session.
+        link: how late the pages show what the session does.
+        telemetry: log and last minutes, as the pages show them.
+        log: the log of the telemetry.
         newest: newest frame, encoded as JSON; empty before the first step.
         changed: what changes in flight have changed in the welcome, encoded as JSON; empty before the first change.
         observers: further observers, which see each step last.
@@ -115,7 +116,9 @@ class Core:
         self.desk: Desk = Desk(
             self.welcome, scenario.delay, scenario.lighting, clock, ControlRoles(clock) if roles is None else roles
         )
-        self.log = Log()
+        self.link = Link(scenario.control_period, LinkDelays(scenario.telemetry_delay, scenario.camera_delay))
+        self.telemetry = Telemetry(scenario)
+        self.log = self.telemetry.log
         self.newest = self.changed = b""
         self._look_s = LOOK_S
         self._cancelled_until = 0.0
@@ -132,7 +135,6 @@ class Core:
     def _reset(self) -> None:
         """Create the simulation of a new run, and delete all data of the previous run."""
         self._sim = Simulation(self.scenario, self._seed)
-        self.recent = RecentRun(self.scenario)
         self._lost = LostTime(self.scenario.control_period)
         self._task = TaskRun(self.scenario)
         self._lights = Lights()
@@ -168,7 +170,7 @@ class Core:
         """End the run and its recording, with the step that the simulation has not made."""
         if self._recording is not None:
             self._recording.end(ended, step)
-        self.log.add(step.notes)
+        self.telemetry.add(step.notes)
 
     def note(self, kind: str, text: str, level: Level = "info") -> None:
         """Log and record a line of the host's, with the next step."""
@@ -248,6 +250,7 @@ class Core:
             frame=frame,
             lamps=self._standing.marked(lit_lamps(self.scenario, frame, self.delays)),
             autopilot=self.desk.autopilot,
+            link=self.link.next(),
         )
         self._tell(step)
         self._view.renew(self._sim, frame, self._task.progress, self._look_s)
@@ -264,12 +267,15 @@ class Core:
             progress=self._task.progress,
             debrief=step.debrief,
             autopilot=step.autopilot,
+            link=step.link,
         )
         self.newest = _encoder.encode(shown)
         self._frame = frame
         if frame.changes != self._changes:
-            self._changes, self.changed = frame.changes, _encoder.encode(changed_of(self._sim.in_force))
-        for observer in (self._recording, self.recent, self.log, *self.observers):
+            self._changes, now = frame.changes, self._sim.in_force
+            self.changed = _encoder.encode(changed_of(now))
+            self.link.delays = self.link.delays._replace(telemetry=now.telemetry_delay, camera=now.camera_delay)
+        for observer in (self._recording, self.telemetry, *self.observers):
             if observer is not None:
                 observer.see(step)
         self._under_way = None

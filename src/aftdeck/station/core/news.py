@@ -17,7 +17,8 @@ _encode = msgspec.json.Encoder().encode
 class News:
     """What a page has not received yet: welcome, role, log, last minutes, and the newest frame.
 
-    Older frames are left out. A page that draws strips receives a frame only together with a new sample of the strips.
+    Older frames are left out; log and last minutes are as late as the link makes them. A page that draws strips
+    receives a frame only together with a new sample of the strips.
     """
 
     def __init__(self, page: Page, *, may_fly: bool, strips: bool) -> None:
@@ -64,7 +65,7 @@ class News:
         if events := core.log.since(self._lines):
             self._lines += len(events)
             yield _encode(to_page.Events(events))
-        recent = core.recent.news(self._mark) if self._strips else None
+        recent = core.telemetry.recent.news(self._mark) if self._strips else None
         if recent:
             message, self._mark = recent
             yield _encode(message)

@@ -12,7 +12,7 @@ from aftdeck.scenario.light import Lighting
 from aftdeck.simulation.frame import Event, Frame, Level
 from aftdeck.simulation.inputs import Inputs
 from aftdeck.station.core.asked import Asked
-from aftdeck.station.messages.frame import AutopilotName, Debrief
+from aftdeck.station.messages.frame import AutopilotName, Debrief, LinkSteps
 
 
 class Delay(NamedTuple):
@@ -73,6 +73,8 @@ class Step(Begun, kw_only=True):
     """Lit lamps."""
     autopilot: AutopilotName | None
     """What flies; None: the operator."""
+    link: LinkSteps
+    """Number of the step, and the steps that the pages show when it has been made."""
     debrief: Debrief | None = None
     """Result of the operator's task; None until all its steps are past."""
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from operator import attrgetter
-from typing import Literal
+from typing import Literal, NamedTuple
 
 import msgspec
 
@@ -154,9 +154,39 @@ class TaskNow(msgspec.Struct, frozen=True, gc=False):
     """Result of the run; null until all steps are past."""
 
 
+class CameraStep(NamedTuple):
+    """Step whose picture of a camera the pages show."""
+
+    camera: str
+    step: int
+
+
+class LinkSteps(msgspec.Struct, frozen=True, gc=False):
+    """Number of a step, and the steps that the pages show when it has been made.
+
+    The numbers count all steps of a session from 1; a restart does not reset them. A page shows the newest frame that
+    it has up to a step, or else its first one. A number below 1 belongs to no step: nothing has arrived yet.
+    """
+
+    step: int
+    """Number of the step itself."""
+    telemetry: int
+    """Step whose values, lamps and log the pages show."""
+    pictures: int
+    """Step that the pictures of all cameras show, except those in `cameras`."""
+    cameras: tuple[CameraStep, ...]
+    """Cameras whose pictures show another step."""
+
+    def of(self, camera: str) -> int:
+        """Return the step that the picture of a camera shows."""
+        return next((own.step for own in self.cameras if own.camera == camera), self.pictures)
+
+
 class Display(msgspec.Struct, frozen=True):
     """Data that a page needs to display a frame: read-outs in panel components, lamps, and poses in the scene frame."""
 
+    link: LinkSteps | None
+    """Steps that the page shows; null in a replay, which shows this step."""
     stick_seq: int
     """`seq` of the last `Sticks` received before this step; the page computes the latency from this number."""
     flown_seq: int

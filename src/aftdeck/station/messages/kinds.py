@@ -12,7 +12,7 @@ from typing import Annotated, Literal
 
 import msgspec
 
-PROTOCOL = 7
+PROTOCOL = 8
 """Version of this protocol; in the handshake, the server rejects a page of another version."""
 
 MAX_MESSAGE_BYTES = 16_384

@@ -141,8 +141,8 @@ class Polygons(WireMessage, frozen=True, tag="polygons"):
     The server sends it to the pages that have asked for it (`ShowPolygons`), with each frame that it draws.
     """
 
-    tick: int
-    """`Frame.tick` of the frame; -1 if the picture belongs to no frame."""
+    step: int
+    """Step of the frame: `LinkSteps.step`, in a replay `Frame.tick`; -1 if the picture belongs to no frame."""
     camera: str
     points: bytes
     """x and y of all corners, as 16-bit integers (little-endian): 10,000 is half the width of the picture.

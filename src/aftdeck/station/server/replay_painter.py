@@ -16,7 +16,7 @@ from aftdeck.scenario.light import condition_named
 from aftdeck.station.conversion.polygons_of import Shot, no_polygons
 from aftdeck.station.playback.lit import Lit
 from aftdeck.station.session.painter import ENDED, PREPARING
-from aftdeck.station.session.painting import Painting, Wanted
+from aftdeck.station.session.painting import LitFrame, Painting, Wanted
 
 
 class ReplayPainter:
@@ -44,7 +44,8 @@ class ReplayPainter:
             painting, text, share = self._painting, self._text, self._share
         if painting is not None and not text:
             try:
-                return list(painting.pictures(Wanted(lit.frame, condition_named(lit.condition), aspects)).values())
+                frame = LitFrame(lit.frame, condition_named(lit.condition), lit.frame.tick)
+                return list(painting.pictures(Wanted(frame, aspects)).values())
             except EOFError:
                 text, share = f"The look of 1972 has failed: {ENDED}", None
         return [msgspec.json.encode(no_polygons(shot.camera, text, share=share)) for shot in aspects]

@@ -29,7 +29,7 @@ MOST_WAITING = 8
 
 
 class SheetRoutes:
-    """Web route that draws the sheet of any camera in the newest frame."""
+    """Web route that draws the sheet of any camera in the frame that its picture shows."""
 
     def __init__(self, session: Callable[[], Session | None]) -> None:
         """Draw sheets of the session that `session` returns; None: no run is ready yet."""
@@ -43,7 +43,7 @@ class SheetRoutes:
         return [Route("/planes/{camera}.svg", self._sheet)]
 
     async def _sheet(self, request: Request) -> Response:
-        """Return a sheet, as late as the pictures of the cameras are; a request waits for those before it."""
+        """Return a sheet; a request waits for those before it."""
         try:
             await asyncio.sleep(self._allowed.turn(LONGEST_WAIT))
             session = self._session()
@@ -54,11 +54,9 @@ class SheetRoutes:
                 return PlainTextResponse(f"{painter.failure}\n", 409) if painter.failure else _later(painter.text)
             if self._waiting == MOST_WAITING:
                 return _later(BUSY)
-            answer = await self._in_turn(session, request)
-            await asyncio.sleep(session.welcome.camera_delay_s)
+            return await self._in_turn(session, request)
         except asyncio.CancelledError:  # the server ends meanwhile
             return PlainTextResponse("the station has ended\n", 503)
-        return answer
 
     async def _in_turn(self, session: Session, request: Request) -> Response:
         """Return a sheet after those that were requested before."""
@@ -71,7 +69,7 @@ class SheetRoutes:
 
 
 async def _made(session: Session, request: Request) -> Response:
-    """Return the sheet of the newest frame, or why there is none."""
+    """Return the sheet of a camera, or why there is none."""
     try:
         svg = await run_in_threadpool(session.painter.sheet, request.path_params["camera"])
     except InputError as error:

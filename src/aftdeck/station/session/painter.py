@@ -13,12 +13,12 @@ from collections.abc import Callable, Mapping
 import msgspec
 
 from aftdeck.law_change import Progress
-from aftdeck.scenario.light import LightCondition, conditions
+from aftdeck.scenario.light import conditions
 from aftdeck.scenario.model import Scenario
-from aftdeck.simulation.frame import Frame
 from aftdeck.station.conversion.polygons_of import Shot, no_polygons
 from aftdeck.station.core.step import Step
-from aftdeck.station.session.painting import Painting, Sheet, Wanted
+from aftdeck.station.session.painting import LitFrame, Painting, Sheet, Wanted
+from aftdeck.station.session.pictured import Pictured
 
 AT_ONCE = 4
 """Greatest number of pictures that are computed of one frame; if pages show more cameras, these are drawn in turn."""
@@ -35,7 +35,8 @@ class Painter:
 
     Attributes:
         drawn: newest picture of each shot, encoded as JSON. Each new picture is a new object.
-        newest: newest frame, and the light in it; None before the first frame.
+        newest: newest frame, its light and the number of its step; None before the first frame.
+        pictured: frames that pictures show, now or later.
         text: sentence that says why there are no pictures; empty if there are.
         failure: sentence about the error that ended the thread; empty if there was none.
         notify: called in the thread after each round of pictures.
@@ -43,7 +44,8 @@ class Painter:
 
     def __init__(self, scenario: Scenario, start: Callable[[Scenario], Painting] = Painting) -> None:
         self.drawn: Mapping[Shot, bytes] = {}
-        self.newest: tuple[Frame, LightCondition] | None = None
+        self.newest: LitFrame | None = None
+        self.pictured = Pictured()
         self.notify: Callable[[], None] = lambda: None
         self._scenario, self._start = scenario, start
         self._lights = {condition.name: condition for condition in conditions()}
@@ -74,25 +76,28 @@ class Painter:
         return self._ready.is_set()
 
     def see(self, step: Step) -> None:
-        """Draw the frame of a step next, in its light."""
-        self.show(step.frame, self._lights[step.lighting.condition])
+        """Draw the frame of a step next, in its light; the pages store its picture until they show it."""
+        lit = LitFrame(step.frame, self._lights[step.lighting.condition], step.link.step)
+        self.pictured.add(lit, step.link)
+        self.show(lit)
 
-    def show(self, frame: Frame, light: LightCondition) -> None:
-        """Draw this frame next, in this light; without a wanted picture, only keep it."""
-        self.newest = frame, light
+    def show(self, lit: LitFrame) -> None:
+        """Draw this frame next; without a wanted picture, only keep it."""
+        self.newest = lit
         if self._wanted:
             self._fresh.set()
 
     def sheet(self, camera: str) -> bytes:
-        """Return the sheet of a camera in the newest frame, once `prepare` has returned True.
+        """Return the sheet of a camera in the frame that its picture shows, once `prepare` has returned True.
 
         Raises:
             InputError: there is no such camera.
             SimulationError: the camera is inside a body, or the bodies cannot be put in order.
             EOFError: the session is closed, or the process has ended.
         """
-        assert self._painting is not None and self.newest is not None, "the process can draw, and the run has a frame"
-        return self._painting.sheet(Sheet(*self.newest, camera))
+        lit = self.pictured.of(camera)
+        assert self._painting is not None and lit is not None, "the process can draw, and the run has a frame"
+        return self._painting.sheet(Sheet(lit, camera))
 
     def close(self) -> None:
         """End the process, and let the thread end."""
@@ -150,7 +155,7 @@ class Painter:
         shots = list(wanted)
         count = min(AT_ONCE, len(shots))
         chosen = [shots[(turn + k) % len(shots)] for k in range(count)]
-        drawn = painting.pictures(Wanted(*newest, {shot: wanted[shot] for shot in chosen}))
+        drawn = painting.pictures(Wanted(newest, {shot: wanted[shot] for shot in chosen}))
         with self._lock:
             self.text = ""
             self._publish(drawn)

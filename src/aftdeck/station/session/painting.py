@@ -30,19 +30,25 @@ from aftdeck.visual.scene import VisualScene
 from aftdeck.visual.warm import FILES, warm_up
 
 
-class Wanted(NamedTuple):
-    """Request for pictures in the look of 1972: the frame, the light, and the aspect of each picture."""
+class LitFrame(NamedTuple):
+    """Frame, the light in it, and the number that its pictures have (`Polygons.step`)."""
 
     frame: Frame
     light: LightCondition
+    step: int
+
+
+class Wanted(NamedTuple):
+    """Request for pictures of a frame in the look of 1972, with the aspect of each picture."""
+
+    lit: LitFrame
     aspects: Mapping[Shot, float]
 
 
 class Sheet(NamedTuple):
     """Request for the sheet that shows what decides the order of a camera's picture."""
 
-    frame: Frame
-    light: LightCondition
+    lit: LitFrame
     camera: str
 
 
@@ -127,11 +133,11 @@ class Drawer:
             InputError: there is no such camera.
             SimulationError: a sheet cannot be drawn.
         """
-        frame, light, _ = request
+        frame, light, step = request.lit
         if isinstance(request, Sheet):
             return [sheet(self._scene, frame, request.camera, light, self._scenario.title).encode()]
         aspects = request.aspects.items()
-        return [self._encode(self._pictures.of(frame, shot, aspect, light)) for shot, aspect in aspects]
+        return [self._encode(self._pictures.of(frame, shot, aspect, light, step)) for shot, aspect in aspects]
 
 
 def paint(pipe: Connection, scenario: Scenario) -> None:

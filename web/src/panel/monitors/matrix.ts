@@ -1,7 +1,7 @@
 /** All cameras at once. Each tile names the subjects that its camera sees. Clearance and lamps are below the tiles. */
 
 import type { Subject } from '../../cameras/best-pair';
-import { type Age, isStale } from '../../link/delay-line';
+import { type Age, isStale } from '../../link/age';
 import type { Camera } from '../../link/protocol';
 import { button, el, group, setAttribute, setClass, setPressed, setStyle, setText } from '../parts/dom';
 import { fitPane } from './picture';
@@ -144,11 +144,12 @@ export class Matrix {
     setAttribute(tile, 'aria-label', label.join(', '));
   }
 
-  /** Sets the age of the pictures; `cure`: what to do if the page does not draw them. */
-  setAge(age: Age, cure: string): void {
-    const lost = isStale(age);
-    const what = cure || `no frame for ${(age.s - age.set).toFixed(1)} s`;
-    for (const { tile, lost: words } of this.parts) {
+  /** Sets the ages of the cameras' pictures; `cure`: what to do if the page does not draw them. */
+  setAge(of: (camera: string) => Age, cure: string): void {
+    for (const { camera, tile, lost: words } of this.parts) {
+      const age = of(camera.name);
+      const lost = isStale(age);
+      const what = cure || `no frame for ${(age.s - age.set).toFixed(1)} s`;
       setClass(tile, 'is-lost', lost);
       if (lost) setText(words.lastElementChild ?? words, what);
     }

@@ -3,7 +3,7 @@
 import { CameraDrag, type Place } from '../../input/camera-drag';
 import type { Turning } from '../../input/camera-hand';
 import { onPress } from '../../input/press';
-import { type Age, isStale } from '../../link/delay-line';
+import { type Age, isStale } from '../../link/age';
 import type { Camera, Frame, Vec3 } from '../../link/protocol';
 import { inset } from '../../page/room';
 import { EXAGGERATION } from '../../scene/bending';

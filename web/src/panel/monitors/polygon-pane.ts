@@ -1,7 +1,7 @@
 /** A picture in the look of 1972: polygons in few greys under raster lines, drawn on a canvas over the scene's. */
 
 import { Silence } from '../../basics/silence';
-import type { Age } from '../../link/delay-line';
+import type { Age } from '../../link/age';
 import type { Polygons } from '../../link/protocol';
 import { ASPECT } from '../../scene/drawn';
 import { el, setStyle, setText } from '../parts/dom';
@@ -107,16 +107,16 @@ export class PolygonPane {
   ageOf(scene: Age, now: number): Age {
     if (document.hidden) this.silence.end(now);
     const s = scene.set + this.silence.at(now) / 1000;
-    const waits = this.hidden || this.current || (this.drawn !== null && this.drawn.tick < 0);
+    const waits = this.hidden || this.current || (this.drawn !== null && this.drawn.step < 0);
     return waits || s <= scene.s ? scene : { ...scene, s, undrawn: false };
   }
 
-  /** Draws a picture for the frame `tick`, or its text in place of polygons; null: no picture has arrived. */
-  show(picture: Polygons | null, tick: number, place: Size): void {
+  /** Draws a picture for the frame of a step, or its text in place of polygons; null: no picture has arrived. */
+  show(picture: Polygons | null, step: number, place: Size): void {
     const { canvas, text } = this;
     const { height } = place;
     const width = Math.min(place.width, ASPECT * height); // the station's pictures show no more at their sides
-    this.current = picture?.tick === tick;
+    this.current = picture?.step === step;
     if (this.hidden || this.current || picture !== this.drawn) this.silence.end();
     canvas.hidden = text.hidden = false;
     setText(this.words, picture?.text ?? '');
@@ -141,6 +141,6 @@ export class PolygonPane {
 }
 
 const NOTHING: Polygons = {
-  ...{ type: 'polygons', tick: -1, camera: '' },
+  ...{ type: 'polygons', step: -1, camera: '' },
   ...{ points: '', corners: '', greys: '', text: '', share: null },
 };

@@ -1,7 +1,7 @@
 /** Lamps that the page lights: rejected command, link, age of pictures, controllers. */
 
 import type { Controllers } from '../../input/controllers';
-import { type Age, isStale } from '../../link/delay-line';
+import { type Age, isStale } from '../../link/age';
 import { type Delays, linkLamp } from '../rail/delays';
 import type { LampName, SpineLamp } from './lamps';
 
