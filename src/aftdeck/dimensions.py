@@ -82,6 +82,11 @@ def has_formulas(raw: dict[str, Any]) -> bool:
     return next(_formulas(raw, ()), None) is not None
 
 
+def is_formula(value: object) -> bool:
+    """Return whether a value is an expression, or contains one."""
+    return has_formulas({"": value})
+
+
 def _substituted(raw: dict[str, Any], names: Mapping[str, _Value]) -> list[Problem]:
     problems = []
     for holder, key, where, text in list(_formulas(raw, ())):

@@ -15,10 +15,11 @@ from aftdeck.errors import InputError, ScenarioError
 from aftdeck.recording.replay import verify
 from aftdeck.recording.writer import Recorder
 from aftdeck.scenario.in_flight import CHANGING, FIXED, meaning, obstacle
-from aftdeck.scenario.key_list import key_list
+from aftdeck.scenario.key_list import NOT_GIVEN, key_list
 from aftdeck.scenario.keys import key_of
 from aftdeck.scenario.load import in_force, load_scenario, parse_scenario
 from aftdeck.scenario.model import Scenario
+from aftdeck.simulation.camera_drives import CameraDrive
 from aftdeck.simulation.run import Simulation
 from tests.each import each, seeds
 from tests.legal_changes import changing, random_change, texts
@@ -231,3 +232,89 @@ def test_each_pattern_names_a_key() -> None:
         assert any(meaning(key) == what for key in keys), pattern
     whole = {why for key in keys if (why := obstacle(key))}
     assert len(whole) > len({why for _, why in FIXED}) / 2
+
+
+def test_newest_value_counts_also_after_a_whole_table() -> None:
+    sim = Simulation(scenario("concept-1972"))
+    for changes, speed in (
+        ({"limits.por.translation": "0.3 m/s"}, 0.3),
+        ({"limits": "{ }"}, 0.6096),
+        ({"limits.por.translation": "0.25 m/s"}, 0.25),
+        ({"limits.por": "{ translation = 0.35 }"}, 0.35),
+    ):
+        frame = sim.step(Inputs(changes=changes))
+        assert frame.por_limits[0] == pytest.approx(speed)
+        shown = key_list(sim.scenario, frame.changes)["limits.por.translation"]
+        assert shown.value == sim.in_force.por.translation or shown.value in (f"{speed} m/s", NOT_GIVEN)
+
+
+def test_camera_takes_an_angle_again_after_its_drive_has_moved_it() -> None:
+    sim = Simulation(scenario("concept-1972"))
+    i = sim.cameras.index("B")
+    first = sim.step(Inputs(changes={"cameras.B.pan": "12 deg"})).views[i].pan
+    for _ in range(20):
+        sim.step(Inputs(camera=CameraDrive("B", pan=1.0)))
+    assert sim.look().views[i].pan > first
+    assert sim.step(Inputs(changes={"cameras.B.pan": "12 deg"})).views[i].pan == first
+
+
+@pytest.mark.parametrize("key", ["camera_delay", "limits.por.translation"])
+def test_script_goes_on_through_a_change_while_cmd_ck_runs(key: str) -> None:
+    """A change that the rehearsal needs begins it again; a PROCEED that waits for the verdict stays."""
+    value = {"camera_delay": "0.5 s", "limits.por.translation": "0.55 m/s"}[key]
+    checking, ended, step = False, Simulation(scenario("first-flight")), 0
+    while not checking:
+        step += 1
+        checking = ended.step().sequence == "checking"
+    ended.step(Inputs(script=True, changes={key: value}))
+    while not ended.ended:
+        ended.advance()
+    assert ended.ended == "completed"
+
+
+def test_change_acts_at_once_under_a_command_delay() -> None:
+    sim = Simulation(aftdeck.load_scenario("concept-1972", {"command_delay": "0.2 s"}))
+    sim.step(Inputs())
+    frame = sim.step(Inputs(changes={"limits.por.translation": "0.3 m/s"}, rate="vernier"))
+    assert frame.por_limits[0] == pytest.approx(0.3) and frame.rate == "coarse"
+    assert sim.flown.changes and not sim.step(Inputs()).events
+    assert not sim.flown.changes
+
+
+def test_kinds_of_devices_stay() -> None:
+    sim = Simulation(scenario("srms-berth"))
+    sim.step(Inputs())
+    bar = "{ kind = 'bar', prong_spacing = 0.1, window = 0.02, front = 0.1, rear = 0.1, fingers_within = 1, source = 'x' }"
+    for changes in (
+        {"worksite.acquisition": bar},
+        {"worksite.drive[0].tilt": "{ least = -1, greatest = 1, rate = 0.1 }", "worksite.camera": "[]"},
+        {"worksite.seat[0].kind": "port"},
+        {"worksite.acquisition.source": "mine"},
+    ):
+        with pytest.raises(InputError):
+            sim.step(Inputs(changes=changes))
+
+
+def test_formula_of_a_file_can_be_set_as_it_is_written() -> None:
+    sim = Simulation(scenario("concept-1972"))
+    sim.step(Inputs())
+    before = sim.in_force.worksite.cameras
+    sim.step(Inputs(changes={"worksite.camera[0].position": "['= bay_forward - 0.5 ft', '-4 ft', '0.45 ft']"}))
+    assert sim.in_force.worksite.cameras == before
+
+
+def test_saved_state_of_another_worksite_is_rejected() -> None:
+    other = Simulation(aftdeck.load_scenario("srms-berth", {"worksite.seat[0].distance": "20 cm"}))
+    sim = Simulation(scenario("srms-berth"))
+    sim.step(Inputs())
+    with pytest.raises(InputError, match="belongs to a scenario"):
+        other.restore(sim.save())
+
+
+def test_too_many_changes_in_a_step_are_refused() -> None:
+    sim = Simulation(scenario("concept-1972"))
+    many = {f"cameras.A{i}.pan": "1" for i in range(70)}
+    with pytest.raises(InputError, match="at most 64"):
+        sim.prepare(many)
+    with pytest.raises(InputError, match="at most 64"):
+        sim.step(Inputs(changes=many))

@@ -72,6 +72,18 @@ class Flight:
         return np.array(rows)
 
 
+def _numbers(encoding: Encoding, given: Input, path: Path) -> list[float]:
+    """Return the numbers of a step's inputs.
+
+    Raises:
+        RecordingError: inputs have no numbers in a dataset.
+    """
+    try:
+        return encoding.encode(given)
+    except AftdeckError as error:
+        raise RecordingError(f"{path}: cannot be exported: {error}") from None
+
+
 def read_flight(path: Path, progress: Callable[[float], None] | None = None) -> Flight:
     """Read a recording, and simulate its inputs again.
 
@@ -103,7 +115,7 @@ def read_flight(path: Path, progress: Callable[[float], None] | None = None) -> 
                 if given.script:
                     given = replace(input_record(message.tick, sim.flown), script=True, changes=given.changes)
                 records.append(given)
-                rows.append(encoding.encode(given))
+                rows.append(_numbers(encoding, given, path))
                 tips.append(message.position)
                 digests.update(sim.seal())
                 equal = equal and sim.seal().hex()[:DIGITS] == message.sha256

@@ -11,6 +11,7 @@ from aftdeck.operators.decide import decide
 from aftdeck.operators.hand import Hand
 from aftdeck.operators.spec import OperatorSpec
 from aftdeck.scenario.limits import por_with
+from aftdeck.scenario.load import in_force
 from aftdeck.scenario.model import Scenario
 from aftdeck.scene.stick_axes import StickAxes
 from aftdeck.simulation.frame import Frame
@@ -45,7 +46,7 @@ class Pilot:
         self._least = BEYOND_DEADBAND * spec.deadband if human else 0.0
         self._hand = Hand(spec, seed, scenario.control_period) if human else None
         self._thinking = float(spec.thinking) if human else 0.0
-        self._limits: dict[float, PorLimits] = {}
+        self._limits: dict[tuple[tuple[str, ...], float], PorLimits] = {}
         rule = scenario.worksite.translation
         self._orbiter: Speeds | None = None
         if rule is not None:
@@ -89,15 +90,16 @@ class Pilot:
 
     def _por(self, frame: Frame) -> PorLimits:
         """Return the limits of the point of resolution for the mass that the end effector holds."""
-        scenario, mass = self._scenario, 0.0
+        scenario, mass = in_force(self._scenario, frame.changes), 0.0
         if frame.attached:
             mass = scenario.own_payloads[frame.attached - 1].mass
         else:
             held = (own.mass for own, now in zip(scenario.payloads, frame.work.cargo, strict=True) if now.held)
             mass = next(held, 0.0)
-        if mass not in self._limits:
-            self._limits[mass] = por_with(scenario.arm.model, mass, scenario.por)
-        return self._limits[mass]
+        key = frame.changes, mass
+        if key not in self._limits:
+            self._limits[key] = por_with(scenario.arm.model, mass, scenario.por)
+        return self._limits[key]
 
 
 def pilot(scenario: Scenario, spec: OperatorSpec, seed: int) -> Pilot:

@@ -8,7 +8,7 @@ from pathlib import Path
 
 import msgspec
 
-from aftdeck.errors import RecordingError
+from aftdeck.errors import InputError, RecordingError
 from aftdeck.recording.bundle import scenario_of
 from aftdeck.recording.compare import Comparison, Difference, EventChange, Greatest
 from aftdeck.recording.convert import as_recorded, inputs_of
@@ -69,7 +69,8 @@ def rerun(
         index: list of recordings to which `out` is added.
 
     Raises:
-        InputError: a change is not ``KEY=VALUE``, or names a location that the scenario does not have.
+        InputError: a change is not ``KEY=VALUE``, or names a location that the scenario does not have, or a recorded
+            change in flight is not possible with the changes.
         ScenarioError: the changed scenario is not valid.
         RecordingError: `path` is not a recording, is damaged or has no control step, or `out` cannot be written.
     """
@@ -126,12 +127,16 @@ def rerun(
 
 def _steps_again(recording: Recording, sim: Simulation) -> Iterator[tuple[Inputs | None, Frame]]:
     """Yield the inputs and the frame of each step of the re-run; a script runs until it ends in the re-run."""
-    inputs: Inputs | None = Inputs()
+    scripted = False
     old, new = recording.opening.control_period_s, sim.scenario.control_period
     for record in resampled((record for record, _ in recording.steps()), old, new):
-        inputs = inputs_of(record)
-        yield inputs, sim.step(inputs)
-        if inputs is None and sim.ended:
+        inputs, scripted = inputs_of(record), record.script
+        try:
+            frame = sim.step(inputs)
+        except InputError as error:
+            raise InputError(f"at {record.tick * new:g} s, recorded inputs are not possible: {error}") from None
+        yield inputs, frame
+        if scripted and sim.ended:
             return
-    while inputs is None and not sim.ended:
-        yield inputs, sim.step()
+    while scripted and not sim.ended:
+        yield None, sim.step()

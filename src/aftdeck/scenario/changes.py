@@ -87,7 +87,13 @@ def value_of(value: str) -> object:
         read = tomllib.loads(f"value = {value}")
     except (ValueError, RecursionError):
         return value
-    return read["value"] if len(read) == 1 else value
+    if len(read) > 1:
+        return value
+    try:
+        as_toml(read["value"])
+    except ValueError:  # a number with thousands of digits, which Python does not write
+        return value
+    return read["value"]
 
 
 def as_toml(value: object) -> str:

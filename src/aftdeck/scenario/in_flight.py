@@ -108,23 +108,30 @@ FIXED: tuple[tuple[str, str], ...] = (
     ("worksite", "selects the worksite of this run"),
 )
 """Keys that cannot change in flight, each with the reason; the first that fits counts."""
+NAMES = ("name", "title", "source", "confidence", "label", "text", "kind", "units", "sources")
+"""Last parts of keys whose values are texts."""
 OTHERS = "is a text or a name, which no law reads"
 """Reason for all other keys that cannot change in flight."""
 
 
 def meaning(key: Key) -> str:
     """Return what a key that can change in flight is; "" if it cannot change."""
-    return next((what for pattern, what in CHANGING if _fits(key, pattern)), "")
+    if key.where[-1] in NAMES:
+        return ""
+    return next((what for pattern, what in CHANGING if fits(key, pattern)), "")
 
 
 def obstacle(key: Key) -> str:
     """Return why a key cannot change in flight; "" if it can."""
     if meaning(key):
         return ""
-    return next((why for pattern, why in FIXED if _fits(key, pattern)), OTHERS)
+    if key.where[-1] in NAMES:
+        return OTHERS
+    return next((why for pattern, why in FIXED if fits(key, pattern)), OTHERS)
 
 
-def _fits(key: Key, pattern: str) -> bool:
+def fits(key: Key, pattern: str) -> bool:
+    """Return whether a key is that of a pattern or inside it; ``[*]`` and ``*`` stand for any one part."""
     wanted = _parts(pattern)
     given = (*key.prefix, *key.where)
     return len(given) >= len(wanted) and all(
@@ -139,7 +146,12 @@ def _parts(pattern: str) -> tuple[str, ...]:
 
 def merged(before: tuple[str, ...], new: Mapping[str, str]) -> tuple[str, ...]:
     """Return changes in force and new ones, each as KEY=VALUE; a new value replaces that of the same key."""
-    values = dict(map(parse_change, before)) | {parse_key(key): value_of(value) for key, value in new.items()}
+    values = dict(map(parse_change, before))
+    for key, value in new.items():
+        where = parse_key(key)
+        for other in [one for one in values if one[: len(where)] == where]:
+            del values[other]  # also what is inside a table that is set as a whole: the newest value comes last
+        values[where] = value_of(value)
     return tuple(change_text(where, value) for where, value in values.items())
 
 

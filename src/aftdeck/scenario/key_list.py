@@ -7,6 +7,7 @@ tables that they have.
 from __future__ import annotations
 
 from collections.abc import Iterator
+from copy import deepcopy
 from functools import cache, lru_cache
 from types import UnionType
 from typing import Annotated, Any, NamedTuple, Union, get_args, get_origin
@@ -16,6 +17,7 @@ import msgspec
 from aftdeck.arms.constant import Constant
 from aftdeck.bounds import Bounds
 from aftdeck.errors import InputError
+from aftdeck.files import put
 from aftdeck.scenario.all_cameras import cameras_of
 from aftdeck.scenario.changes import as_toml, parse_change
 from aftdeck.scenario.in_flight import meaning, obstacle
@@ -65,7 +67,8 @@ class Entry(NamedTuple):
         value = self.value if given else self.default
         parts = [f"{self.text} = {as_toml(value)}" if value is not NOT_GIVEN and value is not None else self.text]
         if not given:
-            parts.append("not given" if value is NOT_GIVEN or value is None else "not given: the usual value")
+            usual = ": the arm's own value counts" if self.key.where[0] == "limits" else ""
+            parts.append(f"not given{usual}" if value in (NOT_GIVEN, None) else "the usual value")
         if self.unit:
             parts.append(f"a number alone is in {self.unit}")
         if self.bounds is not None:
@@ -84,29 +87,35 @@ def key_list(scenario: Scenario, changes: tuple[str, ...] = ()) -> dict[str, Ent
         scenario: the scenario with which the run began.
         changes: changes in force, each as KEY=VALUE; their values replace those of the files.
     """
-    found = dict(_of_files(scenario))
-    for where, value in map(parse_change, (*scenario.changes, *changes)):
-        key = key_at(where)
-        before = found.get(key.text) or Entry(key, NOT_GIVEN, NOT_GIVEN, "", None, "")
-        found[key.text] = before._replace(value=value, source="changed")
+    by_file: dict[str, list[str]] = {kind: [] for kind in FILES}
+    for change in (*scenario.changes, *changes):
+        by_file[key_at(parse_change(change)[0]).kind].append(change)
+    found: dict[str, Entry] = {}
+    for kind, own in by_file.items():
+        found |= _of_file(scenario, kind, tuple(own))
     return found
 
 
-@lru_cache(maxsize=4)
-def _of_files(scenario: Scenario) -> dict[str, Entry]:
-    """Return all keys of a scenario with the values that its files give."""
-    found: dict[str, Entry] = {}
-    for kind, struct in FILES.items():
-        if kind == SHAPES and scenario.arm.model.shapes is None:
-            continue
-        raw = contents_of(text_of(scenario, kind))
-        for entry in _table(Key(kind, ()), struct, raw, _sources(kind, raw), 0):
-            found[entry.text] = entry
-    for camera in cameras_of(scenario):
-        for part in ("pan", "tilt", "zoom"):
-            if camera.drive is not None and getattr(camera.drive, part) is not None:
-                key = Key(SCENARIO, ("cameras", camera.name, part))
-                found.setdefault(key.text, Entry(key, NOT_GIVEN, NOT_GIVEN, "rad", None, ""))
+@lru_cache(maxsize=16)
+def _of_file(scenario: Scenario, kind: str, changes: tuple[str, ...]) -> dict[str, Entry]:
+    """Return the keys of one of a scenario's files, with the changes in it."""
+    if kind == SHAPES and scenario.arm.model.shapes is None:
+        return {}
+    raw = deepcopy(contents_of(text_of(scenario, kind)))
+    changed = []
+    for where, value in map(parse_change, changes):
+        changed.append(key_at(where).where)
+        put(raw, changed[-1], value)
+    found = {entry.text: entry for entry in _table(Key(kind, ()), FILES[kind], raw, _sources(kind, raw), 0)}
+    if kind == SCENARIO:
+        for camera in cameras_of(scenario):
+            for part in ("pan", "tilt", "zoom"):
+                if camera.drive is not None and getattr(camera.drive, part) is not None:
+                    key = Key(SCENARIO, ("cameras", camera.name, part))
+                    found.setdefault(key.text, Entry(key, NOT_GIVEN, NOT_GIVEN, "rad", None, ""))
+    for text, entry in found.items():
+        if any(entry.key.where[: len(where)] == where for where in changed):
+            found[text] = entry._replace(source="changed")
     return found
 
 

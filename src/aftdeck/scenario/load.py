@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
+import re
 import tomllib
 from functools import lru_cache
 from pathlib import Path
 from typing import Any, NamedTuple
 
 from aftdeck.arms.load import ArmModel, model_of
-from aftdeck.dimensions import KEY, derive_from, has_formulas
+from aftdeck.dimensions import KEY, derive_from, has_formulas, is_formula
 from aftdeck.encodable import encodable
 from aftdeck.errors import AftdeckError, InputError, ScenarioError
 from aftdeck.files import Changes, Problem, Text, examine, find_toml, read, sentences
@@ -195,6 +196,10 @@ def text_of(scenario: Scenario, kind: str) -> Text:
     return Text(f"{name}.toml", text)
 
 
+_PLACES = re.compile(r"[^\s:]+\.toml(:\d+)?: ")
+"""Places in files, which say nothing about a value that is in none of them."""
+
+
 @lru_cache(maxsize=64)
 def in_force(scenario: Scenario, changes: tuple[str, ...]) -> Scenario:
     """Return a scenario with changes in flight; the same object for the same changes.
@@ -213,14 +218,13 @@ def in_force(scenario: Scenario, changes: tuple[str, ...]) -> Scenario:
     for where, value in map(parse_change, changes):
         key = key_at(where)
         check_key(key)
-        is_formula = isinstance(value, str) and value.startswith("=")
-        if not is_formula and (what := problem_in(text_of(scenario, key.kind), Change(key, value))):
+        if not is_formula(value) and (what := problem_in(text_of(scenario, key.kind), Change(key, value))):
             raise InputError(what)
         new[where] = value
     try:
         return scenario_from(scenario.text, scenario.name, f"{scenario.name}.toml", _Texts(scenario), new, scenario)
     except AftdeckError as error:
-        raise InputError(str(error)) from None
+        raise InputError(_PLACES.sub("", str(error))) from None
 
 
 def _texts(changes: Changes) -> tuple[str, ...]:

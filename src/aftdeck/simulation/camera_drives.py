@@ -63,6 +63,12 @@ class Cameras:
             if not (math.isfinite(switch) and -1.0 <= switch <= 1.0):
                 raise InputError(f"camera.{name}: got {switch}, expected a number in [-1, 1]")
 
+    @property
+    def axes(self) -> list[tuple[object, ...]]:
+        """For each of these cameras, its name and whether its drive pans, tilts and zooms."""
+        drives = [(one.name, one.drive) for one in self._driven]
+        return [(name, *(getattr(drive, part) is not None for part in Setting._fields)) for name, drive in drives]
+
     def misfit(self, name: str, at: Setting) -> str:
         """Return why a camera's drive cannot have a setting; "" if it can. What the drive does not move is free."""
         drive = self._driven[self.names.index(name)].drive

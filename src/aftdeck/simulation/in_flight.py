@@ -7,25 +7,39 @@ with these constants, as a saved state is, so that nothing keeps an old value.
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Collection, Iterator
 from typing import NamedTuple
 
 import msgspec
 
 from aftdeck.bodies.cameras import Setting
 from aftdeck.errors import InputError
+from aftdeck.files import Where
+from aftdeck.scenario.in_flight import fits
+from aftdeck.scenario.keys import key_at
 from aftdeck.scenario.load import in_force
 from aftdeck.simulation.camera_drives import Views
 from aftdeck.simulation.constants.flight import Flight, run_constants
 from aftdeck.simulation.frame_poses import frames_with_prong_at
-from aftdeck.simulation.operator.panel import make_ready
+from aftdeck.simulation.operator.check_request import begin_check
 from aftdeck.simulation.parts.free_flight import at_start
+from aftdeck.simulation.parts.worksite_state import WorksiteState
 from aftdeck.simulation.resume import restore_clearances, resume
 from aftdeck.simulation.state import State
 from aftdeck.state_part import encoded
 from aftdeck.worksite.payload import Payload
 
 _CHANGES = State.__struct_fields__.index("changes")
+_FOR_EYES = (
+    "cameras",
+    "clearance",
+    "telemetry_delay",
+    "camera_delay",
+    "worksite.camera",
+    "worksite.drive",
+    "arm.shapes",
+)
+"""Keys of what is seen or announced."""
 _ROUNDING = 1e-9
 """Distance [rad or m] by which a coordinate may be outside its limits because of rounding."""
 
@@ -61,43 +75,50 @@ def changes_in(saved: bytes) -> tuple[str, ...]:
         return ()
 
 
-def go_on(before: Flight, after: Flight, state: State, changes: tuple[str, ...]) -> State:
+def go_on(before: Flight, after: Flight, state: State, changes: tuple[str, ...], given: Collection[Where]) -> State:
     """Return the state of a run that goes on with other constants.
 
-    Cameras whose first setting has changed, and free payloads whose start has changed, take the new values. A check of
-    CMD CK, which was made with the old constants, begins again.
+    Cameras and free payloads take a new setting or start. A verdict of CMD CK, or a check in progress, which were made
+    with the old constants, begin again; a PROCEED that waits for the verdict stays.
 
     Args:
         before: constants of the run until now.
         after: its constants from now on.
         state: the state, which stays unchanged.
         changes: changes that are then in force.
+        given: places of the values that change now.
 
     Raises:
         InputError: as for `check_fit`.
     """
-    check_fit(before, after, state)
-    new = resume(after, encoded(state))
+    check_fit(before, after, state, given)
+    new, panel = resume(after, encoded(state)), state.panel
     new.changes = changes
-    new.views = _views(before, after, new.views)
-    for k in _moved(before, after):
+    new.views = _views(before, after, new.views, given)
+    for k in _moved(before, after, given):
         _place(after, new, k)
-    if new.panel.sequence != "in progress":
-        make_ready(after.scenario.sequences, new)
+    checked = panel.check is not None or state.checking is not None
+    if checked and panel.target is not None and panel.sequence != "in progress" and not all(map(_is_for_eyes, given)):
+        begin_check(new, panel.target)
     return new
 
 
-def check_fit(before: Flight, after: Flight, state: State) -> None:
+def _is_for_eyes(where: Where) -> bool:
+    """Return whether a value changes only what is seen or announced, which no rehearsal needs."""
+    return any(fits(key_at(where), pattern) for pattern in _FOR_EYES)
+
+
+def check_fit(before: Flight, after: Flight, state: State, given: Collection[Where]) -> None:
     """Check that a run can go on from its present state with other constants.
 
     Raises:
         InputError: it cannot; the message says why.
     """
-    if why := next(_misfits(before, after, state), ""):
+    if why := next(_misfits(before, after, state, given), ""):
         raise InputError(why)
 
 
-def _misfits(before: Flight, after: Flight, state: State) -> Iterator[str]:
+def _misfits(before: Flight, after: Flight, state: State, given: Collection[Where]) -> Iterator[str]:
     """Yield the reasons why a state does not fit new constants."""
     plant, worksite, arm = state.plant, state.worksite, after.scenario.arm.model
     if before.hard != after.hard:
@@ -109,20 +130,27 @@ def _misfits(before: Flight, after: Flight, state: State) -> Iterator[str]:
         yield from _outside("the telescope", plant.stand.position, after.telescope.low, after.telescope.high)
     if before.prong != after.prong:
         yield from _outside("the prong", worksite.prong.position, after.prong.low, after.prong.high)
-    if before.cameras.names != after.cameras.names:
-        yield "a camera would lose or get its drive, which cannot change in flight"
+    if type(before.scenario.worksite.acquisition) is not type(after.scenario.worksite.acquisition):
+        yield "the kind of the end effector cannot change in flight"
+    if before.cameras.axes != after.cameras.axes:
+        yield "a camera would lose or get a drive, which cannot change in flight"
         return
     if before.scenario is not after.scenario:
-        for name, at in zip(after.cameras.names, _views(before, after, state.views), strict=True):
+        for name, at in zip(after.cameras.names, _views(before, after, state.views, given), strict=True):
             if why := after.cameras.misfit(name, at):
                 yield f"camera {name} is set so that it does not fit: {why}"
-    for k in _moved(before, after):
-        title = after.site.payloads[k].title
-        if after.plant.has_contact_forces:
-            yield f"{title} moves by forces alone on the plant {after.scenario.plant!r}; its place cannot be set"
+    yield from _unplaceable(after, worksite, _moved(before, after, given))
+
+
+def _unplaceable(flight: Flight, worksite: WorksiteState, payloads: Collection[int]) -> Iterator[str]:
+    """Yield the reasons why payloads cannot be put at their starts."""
+    for k in payloads:
+        title = flight.site.payloads[k].title
+        if flight.plant.has_contact_forces:
+            yield f"{title} moves by forces alone on the plant {flight.scenario.plant!r}; its place cannot be set"
         elif worksite.floating[k] is None:
             yield f"{title} is held; its place can be set while nothing holds it"
-        elif after.site.payloads[k].start.berth:
+        elif flight.site.payloads[k].start.berth:
             yield f"{title} cannot be put into a berth in flight; give a position"
 
 
@@ -137,18 +165,25 @@ def _outside(what: str, at: float, low: float, high: float, *, slides: bool = Tr
     )
 
 
-def _views(before: Flight, after: Flight, views: Views) -> Views:
-    """Return the settings of the cameras' drives; an angle whose value at the start has changed takes the new one."""
-    return tuple(
-        Setting(*(new if new != old else now for old, new, now in zip(*settings, strict=True)))
-        for settings in zip(before.cameras.first, after.cameras.first, views, strict=True)
-    )
+def _views(before: Flight, after: Flight, views: Views, given: Collection[Where]) -> Views:
+    """Return the settings of the cameras' drives.
+
+    An angle that is given now, or whose value at the start has changed otherwise, is that of the start.
+    """
+    found = []
+    for name, *settings in zip(after.cameras.names, before.cameras.first, after.cameras.first, views, strict=True):
+        parts = zip(Setting._fields, *settings, strict=True)
+        found.append(
+            Setting(*(new if new != old or ("cameras", name, part) in given else now for part, old, new, now in parts))
+        )
+    return tuple(found)
 
 
-def _moved(before: Flight, after: Flight) -> list[int]:
-    """Return the indices of the payloads whose start has changed."""
+def _moved(before: Flight, after: Flight, given: Collection[Where]) -> list[int]:
+    """Return the indices of the payloads whose start is given now, or has changed otherwise."""
     starts = zip(before.site.payloads, after.site.payloads, strict=True)
-    return [k for k, (old, new) in enumerate(starts) if _start(old) != _start(new)]
+    named = {where[1] for where in given if where[:1] == ("cargo",) and "start" in where}
+    return [k for k, (old, new) in enumerate(starts) if k in named or _start(old) != _start(new)]
 
 
 def _start(payload: Payload) -> tuple[object, ...]:

@@ -12,7 +12,8 @@ import msgspec
 
 from aftdeck.errors import InputError, SimulationError
 from aftdeck.plant.readings import Readings
-from aftdeck.scenario.in_flight import merged
+from aftdeck.scenario.changes import parse_key
+from aftdeck.scenario.in_flight import MOST_CHANGES, merged
 from aftdeck.scenario.load import load_scenario
 from aftdeck.scenario.model import Scenario, Start
 from aftdeck.simulation.begin import initial_state
@@ -41,7 +42,7 @@ class SavedSimulation(msgspec.Struct, frozen=True):
     """State of a simulation at one time, with the scenario's digest and the seed."""
 
     scenario: str
-    """SHA-256 of the scenario's text, its changes, and the arm's constants."""
+    """SHA-256 of the scenario's text, its changes, the arm's constants, and the worksite's text."""
     seed: int
     state: bytes
     """Bytes made by `aftdeck.state_part.encoded`."""
@@ -76,7 +77,8 @@ class Simulation:
         self._base = self._flight = run_constants(self.scenario, gauged=self._gauged)
         self._ready: dict[tuple[str, ...], Flight] = {}
         self._state = initial_state(self._flight)
-        constants = f"{self.scenario.text}\n{self.scenario.changes}\n{self.scenario.arm.model.source}"
+        worksite = self.scenario.worksite.text
+        constants = f"{self.scenario.text}\n{self.scenario.changes}\n{self.scenario.arm.model.source}\n{worksite}"
         self._stepped = False
         self._digest = hashlib.sha256(constants.encode()).hexdigest()
 
@@ -196,24 +198,30 @@ class Simulation:
         Raises:
             InputError: a change is not possible now.
         """
-        after = merged(self._state.changes, changes)
-        if after not in self._ready:
-            if len(self._ready) >= MOST_READY:
-                self._ready.clear()
-            self._ready[after] = constants_with(self._base, after, gauged=self._gauged)
-        flight = self._ready[after]
-        check_fit(self._flight, flight, self._state)
+        if len(changes) > MOST_CHANGES:
+            raise InputError(f"{len(changes)} changes in one step; at most {MOST_CHANGES} are allowed")
+        flight = self._with(merged(self._state.changes, changes))
+        check_fit(self._flight, flight, self._state, [parse_key(key) for key in changes])
         return flight.scenario
+
+    def _with(self, changes: tuple[str, ...]) -> Flight:
+        """Return the constants of the run with changes in force, and keep them for the step in which they act."""
+        ready, flight = self._ready, self._ready.get(changes)
+        if flight is None:
+            flight = constants_with(self._base, changes, gauged=self._gauged)
+            if len(ready) >= MOST_READY:
+                ready.clear()
+            ready[changes] = flight
+        return flight
 
     def _change(self, changes: Mapping[str, str]) -> list[Event]:
         """Change values in flight, and return the lines about it for the log of the next step."""
         if not changes:
             return []
-        self.prepare(changes)
-        before, after = self._flight, merged(self._state.changes, changes)
-        flight, self._ready = self._ready[after], {}
-        self._state = go_on(before, flight, self._state, after)
-        self._flight = flight
+        after = merged(self._state.changes, changes)
+        flight = self._with(after)
+        self._state = go_on(self._flight, flight, self._state, after, [parse_key(key) for key in changes])
+        self._flight, self._ready = flight, {}
         return [self._line(f"{key} = {value}", "info") for key, value in changes.items()]
 
     def _planned_changes(self) -> list[Event]:

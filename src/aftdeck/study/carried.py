@@ -11,7 +11,7 @@ import msgspec
 from aftdeck.arms.load import ArmModel, model_of
 from aftdeck.errors import AftdeckError, InputError
 from aftdeck.files import Problem, Text, Where
-from aftdeck.scenario.keys import FILES, Change
+from aftdeck.scenario.keys import Change
 from aftdeck.scenario.load import Source, scenario_from
 from aftdeck.scenario.model import Scenario
 from aftdeck.scenario.sources import Folder
@@ -35,12 +35,12 @@ class Carried(msgspec.Struct, frozen=True):
     worksites: dict[str, Text]
 
     def scenario(self, changes: Iterable[Change]) -> Scenario:
-        """Return the scenario with changes.
+        """Return the scenario with changes of its files.
 
         Raises:
             AftdeckError: the scenario is not valid with these changes.
         """
-        given = {(*key.prefix, *key.where): value for key, value in changes if key.kind in FILES}
+        given = {(*key.prefix, *key.where): value for key, value in changes}
         return scenario_from(self.text, self.name, self.file, self, given)
 
     def arm(self, name: str) -> ArmModel:

@@ -15,7 +15,7 @@ from aftdeck.errors import RecordingError
 from aftdeck.recording.run import record
 from aftdeck.recording.trial import Trial
 from aftdeck.report.table import Row
-from aftdeck.scenario.keys import Change, of_kind
+from aftdeck.scenario.keys import FILES, Change, of_kind
 from aftdeck.scenario.model import Scenario
 from aftdeck.schema_check import convert
 from aftdeck.simulation.run import run
@@ -66,7 +66,7 @@ class Runner:
 
     def scenario(self, case: Case) -> Scenario:
         """Return the scenario of a case; raises the errors of its changes."""
-        changes = [change for change in case.changes if change.key.kind in ("scenario", "arm", "worksite")]
+        changes = [change for change in case.changes if change.key.kind in FILES]
         key = tuple(f"{change.key.text}={change.value!r}" for change in changes)
         scenario = self._scenarios.pop(key, None)
         if scenario is None:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping
 from typing import Any
 
+from aftdeck.dimensions import is_formula
 from aftdeck.errors import InputError
 from aftdeck.files import Text, Where
 from aftdeck.operators.spec import OperatorSpec
@@ -51,7 +52,7 @@ def problem_of(change: Change, texts: Mapping[str, Iterable[Text]], tables: Mapp
         tables: contents of the study's own tables.
     """
     key, value = change
-    if isinstance(value, str) and value.startswith("="):
+    if is_formula(value):
         return ""  # an expression, which is computed when the scenario is built
     if key.kind in tables:
         schema = OperatorSpec if key.kind == OPERATOR else MonitorsSpec

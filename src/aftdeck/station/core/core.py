@@ -8,7 +8,6 @@ the pages, and sends them what is new: a server with threads and WebSockets (`se
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from contextlib import suppress
 from typing import Protocol
 
 import msgspec
@@ -49,6 +48,9 @@ MOVED = 1e-3
 """Stick deflection above which the operator takes control from the script or another autopilot."""
 QUIET_S = 1.0
 """Time after the announcement of a clearance problem in which others are ignored [s]."""
+
+OF_CONSOLE = from_page.TypeLine | from_page.CompleteLine
+"""Messages of the console."""
 
 _encoder = msgspec.json.Encoder()
 
@@ -188,14 +190,17 @@ class Core:
                 return self.desk.receive(page, message)
 
     def type_line(self, line: str, seq: int = -1, *, may_set: bool = True) -> to_page.Typed:
-        """Do what a line on the console asks for, and return its answer; `may_set`: whether it may change values."""
+        """Do what a line on the console asks for, and return its answer; `may_set`: whether it may change values.
+
+        All long work is done here and not in the step. A host with threads may call this while another one steps.
+        """
         try:
             answer = typewriter.reply(line, self._now())
             if answer.changes and not may_set:
                 raise InputError(NOT_IN_CONTROL)
             if answer.changes:
-                self._sim.prepare(self.desk.changes | answer.changes)
-                self.desk.changes |= answer.changes
+                changed_of(self._sim.prepare(self.desk.changes | answer.changes))
+                self.change(answer.changes)
         except InputError as error:
             return to_page.Typed(seq, tuple(str(error).splitlines()), refused=True)
         done = tuple(f"{key} = {value}" for key, value in answer.changes.items())
@@ -205,14 +210,9 @@ class Core:
         """Return the words with which the last word of a line on the console can go on."""
         return typewriter.completions(line, self._now())
 
-    def prepare(self, line: str) -> None:
-        """Do the work for a line on the console that takes long and changes nothing, so that `receive` is quick.
-
-        A host with threads calls this before `receive`, while another thread steps the session.
-        """
-        with suppress(InputError):
-            if changes := typewriter.reply(line, self._now()).changes:
-                changed_of(self._sim.prepare(self.desk.changes | changes))
+    def change(self, changes: dict[str, str]) -> None:
+        """Make changes in flight, which `Simulation.prepare` has checked, in the next step."""
+        self.desk.changes = self.desk.changes | changes
 
     def _now(self) -> typewriter.Now:
         frame = self._frame
@@ -272,6 +272,7 @@ class Core:
         self.newest = _encoder.encode(shown)
         self._frame = frame
         if frame.changes != self._changes:
+            self._pulses = Pulses(self._sim.in_force)
             self._changes, now = frame.changes, self._sim.in_force
             self.changed = _encoder.encode(changed_of(now))
             self.link.delays = self.link.delays._replace(telemetry=now.telemetry_delay, camera=now.camera_delay)

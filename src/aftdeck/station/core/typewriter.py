@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable
+from contextlib import suppress
 from typing import NamedTuple
 
 from aftdeck.errors import InputError
@@ -31,7 +32,6 @@ MOST_LINES = 40
 """Greatest number of lines of an answer."""
 MOST_WORDS = 40
 """Greatest number of completions."""
-_WORDS = "print", "set", "changes", "read", "write", "help"
 _LAST = re.compile(r"[^\s;=]*$")
 
 
@@ -71,7 +71,7 @@ def reply(line: str, now: Now) -> Reply:
     """
     word, _, rest = line.strip().partition(" ")
     if word.lower() not in _ACTIONS:
-        known = f"known words: {', '.join(_WORDS)}"
+        known = f"known words: {', '.join(_ACTIONS)}"
         raise InputError(f"{word[:40]!r} is not a word of the console; {known}" if word else f"nothing typed; {known}")
     return _ACTIONS[word.lower()](rest.strip(), now)
 
@@ -85,7 +85,7 @@ def completions(line: str, now: Now) -> tuple[str, ...]:
     last = match[0] if match else ""
     before = line[: len(line) - len(last)].split()
     if not before:
-        return tuple(word for word in _WORDS if word.startswith(last))
+        return tuple(word for word in _ACTIONS if word.startswith(last))
     if before[0] in ("read", "write"):
         return tuple(text for text in addresses() if text.startswith(last))[:MOST_WORDS]
     if before[0] not in ("print", "set"):
@@ -133,7 +133,13 @@ def _changes(_: str, now: Now) -> Reply:
 
 
 def _read(rest: str, now: Now) -> Reply:
-    return Reply(_few([read_word(text, now.in_force, now.frame) for text in rest.split() or addresses()]), {})
+    if rest:
+        return Reply(_few([read_word(text, now.in_force, now.frame) for text in rest.split()]), {})
+    found = []
+    for text in addresses():
+        with suppress(InputError):  # the scenario has nothing that the word describes
+            found.append(read_word(text, now.in_force, now.frame))
+    return Reply(tuple(found) or ("this scenario has nothing that TABLE III describes",), {})
 
 
 def _write(rest: str, now: Now) -> Reply:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import contextlib
 import sys
 import threading
 from collections.abc import Callable, Iterator
@@ -41,22 +40,21 @@ class TerminalConsole:
         self._restore()
 
     def _read(self) -> None:
-        with contextlib.suppress(ValueError, OSError):  # standard input is closed, because the program ends
-            for line in self._lines():
-                if not line.strip():
-                    continue
+        for line in self._lines():
+            if line.strip():
                 session = self._session()
-                answer = (NOT_READY,) if session is None else session.typed(line).lines
-                for text in answer:
+                for text in (NOT_READY,) if session is None else session.type_line(line).lines:
                     print_line(text)
 
     def _lines(self) -> Iterator[str]:
-        if self._readline is None:
-            yield from sys.stdin
-            return
-        with contextlib.suppress(EOFError):
-            while True:
-                yield input(PROMPT)
+        while True:
+            try:
+                line = sys.stdin.readline() if self._readline is None else input(PROMPT) + "\n"
+            except (EOFError, OSError, ValueError):  # ValueError: standard input is closed, because the program ends
+                return
+            if not line:
+                return
+            yield line
 
     def _complete(self, _: str, state: int) -> str | None:
         """Return completion number `state` of the present line (a function for `readline`)."""
@@ -64,7 +62,7 @@ class TerminalConsole:
         if session is None or self._readline is None:
             return None
         if state == 0:
-            self._words = session.words(self._readline.get_line_buffer())
+            self._words = session.complete_line(self._readline.get_line_buffer())
         return self._words[state] if state < len(self._words) else None
 
 

@@ -12,6 +12,7 @@ from starlette.websockets import WebSocket, WebSocketDisconnect, WebSocketState
 from aftdeck.errors import CommandError
 from aftdeck.station.conversion.polygons_of import shot_of
 from aftdeck.station.core.commands import check_polygons
+from aftdeck.station.core.core import OF_CONSOLE
 from aftdeck.station.core.news import News
 from aftdeck.station.messages import from_page, kinds, to_page
 from aftdeck.station.server import guard
@@ -55,8 +56,7 @@ _ACCEPTED_DURING_CHANGE = (
 
 _ABOUT_ROLES = from_page.AskSticks | from_page.SetName | from_page.LeaveSeat | from_page.TakeSeat
 _ABOUT_CONTROL = from_page.AskSticks | from_page.SetName | from_page.GiveSticks | from_page.KeepSticks
-_OF_CONSOLE = from_page.TypeLine | from_page.CompleteLine
-_OF_EVERY_PAGE = from_page.AskSticks | from_page.SetName | from_page.Announce | _OF_CONSOLE
+_OF_EVERY_PAGE = from_page.AskSticks | from_page.SetName | from_page.Announce
 """Messages whose rejection does not count towards `MAX_REJECTIONS`."""
 TOO_OFTEN = f"at most {ROLES_PER_SECOND:g} request for the sticks or new name a second is allowed; wait a moment"
 """Reason for rejecting a message about roles."""
@@ -190,10 +190,12 @@ class Page:
             return self.pages.reseat(self, seated=isinstance(message, from_page.TakeSeat))
         if isinstance(message, from_page.ShowPolygons):
             return await self._show_polygons(message)
-        if isinstance(message, _OF_CONSOLE):
+        if isinstance(message, OF_CONSOLE):
             if not self._may_type.take():
                 return await self.reject(message.seq, TOO_MANY_LINES, counts=False)
-            await asyncio.to_thread(self.pages.session.prepare, message.line)
+            for _, answer in await asyncio.to_thread(self.pages.session.receive, self, message):
+                await self._send(answer)
+            return None
         await self._give(message)
 
     async def _give(self, message: from_page.FromPage) -> None:
@@ -210,8 +212,6 @@ class Page:
         for page, answer in answers:
             if page is self and isinstance(answer, to_page.Refused):
                 await self.reject(answer.seq, answer.text, counts=commands)
-            elif page is self:
-                await self._send(answer)
             elif isinstance(page, Page):
                 page.answers.append(answer)
         if commands and not answers:

@@ -20,11 +20,11 @@ from aftdeck.recording.trial import NO_TRIAL, Trial
 from aftdeck.scenario.model import Scenario
 from aftdeck.station.core.asked import Asked
 from aftdeck.station.core.autopilot import Autopilots
-from aftdeck.station.core.core import Core
+from aftdeck.station.core.core import OF_CONSOLE, Core
 from aftdeck.station.core.desk import Answer, Page
 from aftdeck.station.core.roles import ControlRoles
 from aftdeck.station.core.step import PUNCTUAL, Begun, Delay
-from aftdeck.station.messages import from_page, to_page
+from aftdeck.station.messages import from_page
 from aftdeck.station.session.painter import Painter
 from aftdeck.station.session.session_recorder import SessionRecorder
 from aftdeck.station.session.warm import warm_up
@@ -115,19 +115,15 @@ class Session(Core):
 
     def receive(self, page: Page, message: from_page.FromPage) -> tuple[Answer, ...]:
         """Take a message of a page, and return the answers to it."""
+        if isinstance(message, OF_CONSOLE):  # may take tenths of a second, for which no step may wait
+            return super().receive(page, message)
         with self._lock:
             return super().receive(page, message)
 
-    def typed(self, line: str) -> to_page.Typed:
-        """Do what a line in the station's own terminal asks for; it may change values, whichever page is in control."""
-        self.prepare(line)
+    def change(self, changes: dict[str, str]) -> None:
+        """Make changes in flight in the next step."""
         with self._lock:
-            return self.type_line(line)
-
-    def words(self, line: str) -> tuple[str, ...]:
-        """Return the words with which the last word of a line on the console can go on."""
-        self.prepare(line)
-        return self.complete_line(line)
+            super().change(changes)
 
     def accept(self, message: from_page.FromPage) -> None:
         """Take a message of the page in control (`Desk.accept`)."""
