@@ -284,7 +284,8 @@ def test_change_acts_at_once_under_a_command_delay() -> None:
 def test_kinds_of_devices_stay() -> None:
     sim = Simulation(scenario("srms-berth"))
     sim.step(Inputs())
-    bar = "{ kind = 'bar', prong_spacing = 0.1, window = 0.02, front = 0.1, rear = 0.1, fingers_within = 1, source = 'x' }"
+    sizes = "prong_spacing = 0.1, window = 0.02, front = 0.1, rear = 0.1, fingers_within = 1"
+    bar = f"{{ kind = 'bar', {sizes}, source = 'x' }}"
     for changes in (
         {"worksite.acquisition": bar},
         {"worksite.drive[0].tilt": "{ least = -1, greatest = 1, rate = 0.1 }", "worksite.camera": "[]"},

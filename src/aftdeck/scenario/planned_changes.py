@@ -40,11 +40,11 @@ def planned_changes(problems: Problems, spec: ScenarioFile) -> tuple[PlannedChan
             )
             continue
         try:
-            changes = dict(_flat(event.set, ""))
+            given = list(_flat(event.set, ""))
         except InputError as error:
             problems.add(("event", i, "set"), str(error))
             continue
-        if len(changes) < _count(event.set):
+        if len(changes := dict(given)) < len(given):
             problems.add(("event", i, "set"), "gives a value twice")
         if not changes:
             problems.add(("event", i, "set"), "has no key: give at least one value")
@@ -53,11 +53,6 @@ def planned_changes(problems: Problems, spec: ScenarioFile) -> tuple[PlannedChan
             problems.add(("event", i, "at"), f"is after the last control step begins, got {event.at:g} s")
         found.append(PlannedChange(i, tick, changes))
     return tuple(sorted(found, key=lambda planned: planned.tick))
-
-
-def _count(values: Mapping[str, Any]) -> int:
-    """Return the number of values in tables within tables."""
-    return sum(_count(value) if isinstance(value, dict) else 1 for value in values.values())
 
 
 def _flat(values: Mapping[str, Any], before: str) -> Iterator[tuple[str, str]]:
