@@ -213,7 +213,7 @@ def _step(sim: Simulation, inputs: Any) -> bool:
     assert not (wrong := not_finite(msgspec.to_builtins(frame))), wrong
     written = input_record(frame.tick, given)
     record = msgspec.msgpack.decode(msgspec.msgpack.encode(written), type=type(written))
-    assert inputs_of(record) == given, f"flown {given}, recorded {record}"
+    assert (inputs_of(record) or Inputs(script=True)) == given, f"flown {given}, recorded {record}"
     after = sim.save()
     sim.restore(before)
     assert sim.step(given).sha256 == frame.sha256, f"a repetition with the plain values differs: {given}"
