@@ -200,7 +200,7 @@ def put(raw: Any, where: Where, value: object) -> None:
         InputError: the place is a list item that does not exist, or is inside a value that is not a table.
     """
     *outer, last = where
-    value = _plain(value)
+    value = plain_value(value)
     for depth, part in enumerate(outer):
         raw = raw.setdefault(part, {}) if isinstance(part, str) and isinstance(raw, dict) else _item(raw, where, depth)
     if isinstance(last, str) and isinstance(raw, dict):
@@ -210,12 +210,12 @@ def put(raw: Any, where: Where, value: object) -> None:
         raw[last] = value
 
 
-def _plain(value: Any) -> Any:
+def plain_value(value: Any) -> Any:
     """Return a value in which NumPy types and tuples are converted to Python numbers and lists."""
     if isinstance(value, dict):
-        return {key: _plain(item) for key, item in value.items()}
+        return {key: plain_value(item) for key, item in value.items()}
     if isinstance(value, list | tuple):
-        return [_plain(item) for item in value]
+        return [plain_value(item) for item in value]
     return value.tolist() if hasattr(value, "tolist") else value
 
 

@@ -68,7 +68,7 @@ def problems_of(raw: object, kind: Any, where: _Where = (), bounds: Bounds | Non
         where: place of `raw` in the file.
         bounds: plausible range of `raw`, from the metadata of its type.
     """
-    kind, optional = _without_none(kind)
+    kind, optional = without_none(kind)
     if optional and raw is None:
         return []
     base = get_origin(kind) or kind
@@ -76,7 +76,7 @@ def problems_of(raw: object, kind: Any, where: _Where = (), bounds: Bounds | Non
         inner, *metas = get_args(kind)
         own = next((meta for meta in metas if isinstance(meta, Bounds)), bounds)
         return problems_of(raw, inner, where, own) or _problem(raw, kind, where)
-    if tagged := _tagged(kind):
+    if tagged := tagged_kinds(kind):
         return _tagged_problems(raw, tagged, where)
     if isinstance(base, type) and issubclass(base, msgspec.Struct):
         return _struct_problems(raw, kind, where)
@@ -116,7 +116,7 @@ def _problem(raw: object, kind: Any, where: _Where) -> list[tuple[_Where, str]]:
 
 
 @cache
-def _tagged(kind: Any) -> dict[str, Any]:
+def tagged_kinds(kind: Any) -> dict[str, Any]:
     """Return the structs of a tagged union, by the value of their tag field; empty for other kinds."""
     members = get_args(kind) if get_origin(kind) in (Union, types.UnionType) else ()
     if not all(isinstance(k, type) and issubclass(k, msgspec.Struct) and k.__struct_config__.tag for k in members):
@@ -140,7 +140,7 @@ def _tagged_problems(raw: object, tagged: dict[str, Any], where: _Where) -> list
         tag_problem = ((*where, field), f"expected one of {', '.join(tagged)}, got {short(name)}")
     else:
         tag_problem = (where, f"the field {field!r} is missing")
-    common = set.intersection(*({(f.encode_name, f.type) for f in _fields(k).values()} for k in tagged.values()))
+    common = set.intersection(*({(f.encode_name, f.type) for f in fields_of(k).values()} for k in tagged.values()))
     known = [(key, field_type) for key, field_type in common if key in raw]
     in_order = sorted(known, key=lambda pair: pair[0])
     return [tag_problem, *(p for key, field_type in in_order for p in problems_of(raw[key], field_type, (*where, key)))]
@@ -150,7 +150,7 @@ def _struct_problems(raw: object, kind: Any, where: _Where) -> list[tuple[_Where
     if not isinstance(raw, dict):
         return [(where, f"expected a table, got {short(raw)}")]
     struct = get_origin(kind) or kind  # a generic struct with its parameters has the generic struct's configuration
-    fields, tag = _fields(kind), struct.__struct_config__.tag_field
+    fields, tag = fields_of(kind), struct.__struct_config__.tag_field
     found: list[tuple[_Where, str]] = []
     if tag is not None and raw.get(tag) != struct.__struct_config__.tag:
         found.append(((*where, tag), f"expected {struct.__struct_config__.tag!r}, got {short(raw.get(tag))}"))
@@ -169,13 +169,13 @@ def _struct_problems(raw: object, kind: Any, where: _Where) -> list[tuple[_Where
 
 
 @cache
-def _fields(kind: Any) -> dict[str, msgspec.structs.FieldInfo]:
+def fields_of(kind: Any) -> dict[str, msgspec.structs.FieldInfo]:
     """Return the fields of a struct by their names in files."""
     return {field.encode_name: field for field in msgspec.structs.fields(kind)}
 
 
 @cache
-def _without_none(kind: Any) -> tuple[Any, bool]:
+def without_none(kind: Any) -> tuple[Any, bool]:
     """Return X and True if `kind` is X | None; return any other kind unchanged, and False."""
     if get_origin(kind) in (Union, types.UnionType):
         rest = [k for k in get_args(kind) if k is not type(None)]

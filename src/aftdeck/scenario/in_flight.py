@@ -10,6 +10,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from difflib import get_close_matches
 from functools import lru_cache
+from typing import NamedTuple
 
 import msgspec
 
@@ -21,54 +22,69 @@ from aftdeck.scenario.keys import FILES, Key
 MOST_CHANGES = 64
 """Greatest number of changes in one step (assumed)."""
 
-CHANGING: tuple[tuple[str, str], ...] = (
-    ("limits", "limits of joints and of the point of resolution"),
-    ("clearance", "clearances of caution and warning"),
-    ("arrive_within", "end sphere of the automatic modes"),
-    ("arrive_within_angle", "end sphere of the automatic modes"),
-    ("fly_by_within", "tolerance at fly-by points"),
-    ("fly_by_angle", "tolerance at fly-by points"),
-    ("guards", "whether computed modes slow the arm before stops and singularities"),
-    ("docking", "axes that docking compares"),
-    ("telemetry_delay", "delay of values, lamps and log"),
-    ("camera_delay", "delay of the pictures"),
-    ("cameras", "pan, tilt and zoom: the camera takes them at once"),
-    ("cargo[*].start", "place and motion of a free payload: it takes them at once"),
-    ("arm.joint[*].hard", "stops of a joint"),
-    ("arm.joint[*].soft", "stops of a joint"),
-    ("arm.joint[*].reach", "stops of a joint"),
-    ("arm.joint[*].servo", "rates of a joint"),
-    ("arm.joint[*].coarse", "rates of a joint"),
-    ("arm.joint[*].vernier", "rates of a joint"),
-    ("arm.joint[*].acceleration", "rates of a joint"),
-    ("arm.joint[*].least", "limits of telescope and prong"),
-    ("arm.joint[*].greatest", "limits of telescope and prong"),
-    ("arm.joint[*].rate", "rates of telescope and prong"),
-    ("arm.por", "limits of the point of resolution"),
-    ("arm.singular", "threshold of the lamp SINGULAR"),
-    ("arm.servo", "constants of servos and brakes"),
-    ("arm.shapes.camera[*].position", "place of a camera"),
-    ("arm.shapes.camera[*].boresight", "direction of a camera"),
-    ("arm.shapes.camera[*].up", "direction of a camera"),
-    ("arm.shapes.camera[*].zero", "direction of a camera"),
-    ("arm.shapes.camera[*].field_of_view", "field of view of a camera"),
-    ("arm.shapes.drive", "ranges and rates of a camera's drive"),
-    ("worksite.camera[*].position", "place of a camera"),
-    ("worksite.camera[*].boresight", "direction of a camera"),
-    ("worksite.camera[*].up", "direction of a camera"),
-    ("worksite.camera[*].zero", "direction of a camera"),
-    ("worksite.camera[*].field_of_view", "field of view of a camera"),
-    ("worksite.drive", "ranges and rates of a camera's drive"),
-    ("worksite.cargo[*].start", "place and motion of a free payload: it takes them at once"),
-    ("worksite.seat[*].distance", "tolerances of a berth"),
-    ("worksite.seat[*].angle", "tolerances of a berth"),
-    ("worksite.seat[*].time", "time of a berth's latches"),
-    ("worksite.acquisition", "tolerances of capture"),
-    ("worksite.essential[*].depth", "permitted penetration"),
-    ("worksite.translation", "speed of the orbiter's translation"),
-    ("worksite.orbiter.jets", "jets of the orbiter"),
+
+class Changing(NamedTuple):
+    """Key that can change in flight.
+
+    Attributes:
+        pattern: the key; ``[*]`` stands for any number. All keys inside it can change, too.
+        what: what it is.
+        rehearsed: whether a rehearsal of CMD CK depends on it; not if it is only seen or announced.
+    """
+
+    pattern: str
+    what: str
+    rehearsed: bool = True
+
+
+CHANGING = (
+    Changing("limits", "limits of joints and of the point of resolution"),
+    Changing("clearance", "clearances of caution and warning", rehearsed=False),
+    Changing("arrive_within", "end sphere of the automatic modes"),
+    Changing("arrive_within_angle", "end sphere of the automatic modes"),
+    Changing("fly_by_within", "tolerance at fly-by points"),
+    Changing("fly_by_angle", "tolerance at fly-by points"),
+    Changing("guards", "whether computed modes slow the arm before stops and singularities"),
+    Changing("docking", "axes that docking compares"),
+    Changing("telemetry_delay", "delay of values, lamps and log", rehearsed=False),
+    Changing("camera_delay", "delay of the pictures", rehearsed=False),
+    Changing("cameras", "pan, tilt and zoom: the camera takes them at once", rehearsed=False),
+    Changing("cargo[*].start", "place and motion of a free payload: it takes them at once"),
+    Changing("arm.joint[*].hard", "stops of a joint"),
+    Changing("arm.joint[*].soft", "stops of a joint"),
+    Changing("arm.joint[*].reach", "stops of a joint"),
+    Changing("arm.joint[*].servo", "rates of a joint"),
+    Changing("arm.joint[*].coarse", "rates of a joint"),
+    Changing("arm.joint[*].vernier", "rates of a joint"),
+    Changing("arm.joint[*].acceleration", "rates of a joint"),
+    Changing("arm.joint[*].least", "limits of telescope and prong"),
+    Changing("arm.joint[*].greatest", "limits of telescope and prong"),
+    Changing("arm.joint[*].rate", "rates of telescope and prong"),
+    Changing("arm.por", "limits of the point of resolution"),
+    Changing("arm.singular", "threshold of the lamp SINGULAR"),
+    Changing("arm.servo", "constants of servos and brakes"),
+    Changing("arm.shapes.camera[*].position", "place of a camera", rehearsed=False),
+    Changing("arm.shapes.camera[*].boresight", "direction of a camera", rehearsed=False),
+    Changing("arm.shapes.camera[*].up", "direction of a camera", rehearsed=False),
+    Changing("arm.shapes.camera[*].zero", "direction of a camera", rehearsed=False),
+    Changing("arm.shapes.camera[*].field_of_view", "field of view of a camera", rehearsed=False),
+    Changing("arm.shapes.drive", "ranges and rates of a camera's drive", rehearsed=False),
+    Changing("worksite.camera[*].position", "place of a camera", rehearsed=False),
+    Changing("worksite.camera[*].boresight", "direction of a camera", rehearsed=False),
+    Changing("worksite.camera[*].up", "direction of a camera", rehearsed=False),
+    Changing("worksite.camera[*].zero", "direction of a camera", rehearsed=False),
+    Changing("worksite.camera[*].field_of_view", "field of view of a camera", rehearsed=False),
+    Changing("worksite.drive", "ranges and rates of a camera's drive", rehearsed=False),
+    Changing("worksite.cargo[*].start", "place and motion of a free payload: it takes them at once"),
+    Changing("worksite.seat[*].distance", "tolerances of a berth"),
+    Changing("worksite.seat[*].angle", "tolerances of a berth"),
+    Changing("worksite.seat[*].time", "time of a berth's latches"),
+    Changing("worksite.acquisition", "tolerances of capture"),
+    Changing("worksite.essential[*].depth", "permitted penetration"),
+    Changing("worksite.translation", "speed of the orbiter's translation"),
+    Changing("worksite.orbiter.jets", "jets of the orbiter"),
 )
-"""Keys that can change in flight, each with what it is; ``[*]`` stands for any number, and a key for all inside it."""
+"""Keys that can change in flight; the first that fits counts."""
 
 FIXED: tuple[tuple[str, str], ...] = (
     ("initial", "is where a run begins, and this run has begun; the panel can re-initialise it"),
@@ -114,23 +130,23 @@ OTHERS = "is a text or a name, which no law reads"
 """Reason for all other keys that cannot change in flight."""
 
 
-def meaning(key: Key) -> str:
-    """Return what a key that can change in flight is; "" if it cannot change."""
+def changing(key: Key) -> Changing | None:
+    """Return the row of a key that can change in flight; None if it cannot change."""
     if key.where[-1] in NAMES:
-        return ""
-    return next((what for pattern, what in CHANGING if fits(key, pattern)), "")
+        return None
+    return next((row for row in CHANGING if _fits(key, row.pattern)), None)
 
 
 def obstacle(key: Key) -> str:
     """Return why a key cannot change in flight; "" if it can."""
-    if meaning(key):
+    if changing(key) is not None:
         return ""
     if key.where[-1] in NAMES:
         return OTHERS
-    return next((why for pattern, why in FIXED if fits(key, pattern)), OTHERS)
+    return next((why for pattern, why in FIXED if _fits(key, pattern)), OTHERS)
 
 
-def fits(key: Key, pattern: str) -> bool:
+def _fits(key: Key, pattern: str) -> bool:
     """Return whether a key is that of a pattern or inside it; ``[*]`` and ``*`` stand for any one part."""
     wanted = _parts(pattern)
     given = (*key.prefix, *key.where)

@@ -9,8 +9,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from copy import deepcopy
 from functools import cache, lru_cache
-from types import UnionType
-from typing import Annotated, Any, NamedTuple, Union, get_args, get_origin
+from typing import Annotated, Any, NamedTuple, get_args, get_origin
 
 import msgspec
 
@@ -20,10 +19,11 @@ from aftdeck.errors import InputError
 from aftdeck.files import put
 from aftdeck.scenario.all_cameras import cameras_of
 from aftdeck.scenario.changes import as_toml, parse_change
-from aftdeck.scenario.in_flight import meaning, obstacle
+from aftdeck.scenario.in_flight import changing, obstacle
 from aftdeck.scenario.keys import ARM, FILES, SCENARIO, SHAPES, Key, contents_of, key_at
 from aftdeck.scenario.load import text_of
 from aftdeck.scenario.model import Scenario
+from aftdeck.schema_check import fields_of, tagged_kinds, without_none
 from aftdeck.units import Quantity
 
 NOT_GIVEN = msgspec.UNSET
@@ -59,7 +59,7 @@ class Entry(NamedTuple):
     @property
     def changes(self) -> bool:
         """Whether the value can change in flight."""
-        return bool(meaning(self.key))
+        return changing(self.key) is not None
 
     def sentence(self) -> str:
         """Return the value with its unit, range and source, and whether it can change in flight, as a sentence each."""
@@ -75,8 +75,10 @@ class Entry(NamedTuple):
             parts.append(f"range {self.bounds.least:.6g} to {self.bounds.greatest:.6g} {self.unit}".rstrip())
         if self.source:
             parts.append(f"source: {self.source}")
-        why = obstacle(self.key)
-        parts.append(f"cannot change in flight: it {why}" if why else f"can change in flight: {meaning(self.key)}")
+        row = changing(self.key)
+        parts.append(
+            f"can change in flight: {row.what}" if row else f"cannot change in flight: it {obstacle(self.key)}"
+        )
         return "; ".join(parts)
 
 
@@ -158,19 +160,13 @@ def _table(key: Key, kind: Any, raw: Any, sources: dict[str, str], depth: int, s
     contents = raw if isinstance(raw, dict) else {}
     source = _text(contents.get("source")) or source
     struct = get_origin(kind) or kind
-    for field in _fields(kind):
-        name = field.encode_name
+    for name, field in fields_of(kind).items():
         default = field.default
         if field.default_factory is not msgspec.NODEFAULT or default is msgspec.NODEFAULT:
             default = NOT_GIVEN
         inner = Key(key.kind, (*key.where, name))
         said = source if issubclass(struct, Constant) else sources.get(name, source)
         yield from _value(inner, field.type, contents.get(name, NOT_GIVEN), default, sources, depth, said)
-
-
-@cache
-def _fields(kind: Any) -> tuple[msgspec.structs.FieldInfo, ...]:
-    return msgspec.structs.fields(kind)
 
 
 def _value(
@@ -191,7 +187,7 @@ def _value(
                 inner = Key(key.kind, (*key.where, i))
                 yield from _value(inner, arguments[0], one, NOT_GIVEN, sources, depth, source)
             return
-        if _struct(item, NOT_GIVEN) is not None or _is_union(item):
+        if _struct(item, NOT_GIVEN) is not None or tagged_kinds(item):
             return  # a list of tables that the file does not give
     if get_origin(kind) is dict and isinstance(raw, dict):
         for name, one in raw.items():
@@ -209,19 +205,12 @@ def _value(
 def _plain(hint: Any) -> tuple[Any, Bounds | None]:
     """Return a type without None and without metadata, and the range that it declares."""
     bounds: Bounds | None = None
-    while True:
-        if get_origin(hint) is Annotated:
-            hint, *metas = get_args(hint)
-            bounds = next((meta for meta in metas if isinstance(meta, Bounds)), bounds)
-        elif _is_union(hint) and type(None) in get_args(hint):
-            rest = tuple(one for one in get_args(hint) if one is not type(None))
-            hint = rest[0] if len(rest) == 1 else Union[rest]  # noqa: UP007  (a union of a computed number of types)
-        else:
-            return hint, bounds
-
-
-def _is_union(hint: Any) -> bool:
-    return get_origin(hint) in (Union, UnionType)
+    kind, _ = without_none(hint)
+    while get_origin(kind) is Annotated:
+        inner, *metas = get_args(kind)
+        bounds = next((meta for meta in metas if isinstance(meta, Bounds)), bounds)
+        kind, _ = without_none(inner)
+    return kind, bounds
 
 
 def _struct(kind: Any, raw: Any) -> Any:
@@ -229,13 +218,9 @@ def _struct(kind: Any, raw: Any) -> Any:
     origin = get_origin(kind) or kind
     if isinstance(origin, type) and issubclass(origin, msgspec.Struct):
         return kind
-    if _is_union(kind) and isinstance(raw, dict):
-        for one in get_args(kind):
-            if isinstance(one, type) and issubclass(one, msgspec.Struct):
-                config = one.__struct_config__
-                if config.tag is not None and raw.get(config.tag_field) == config.tag:
-                    return one
-    return None
+    tagged = tagged_kinds(kind)
+    given = [raw.get(one.__struct_config__.tag_field) for one in tagged.values()] if isinstance(raw, dict) else []
+    return tagged.get(str(given[0])) if given else None
 
 
 def _leaf(kind: Any, bounds: Bounds | None) -> tuple[Any, Bounds | None]:

@@ -15,7 +15,7 @@ import msgspec
 from aftdeck.bodies.cameras import Setting
 from aftdeck.errors import InputError
 from aftdeck.files import Where
-from aftdeck.scenario.in_flight import fits
+from aftdeck.scenario.in_flight import changing
 from aftdeck.scenario.keys import key_at
 from aftdeck.scenario.load import in_force
 from aftdeck.simulation.camera_drives import Views
@@ -30,16 +30,6 @@ from aftdeck.state_part import encoded
 from aftdeck.worksite.payload import Payload
 
 _CHANGES = State.__struct_fields__.index("changes")
-_FOR_EYES = (
-    "cameras",
-    "clearance",
-    "telemetry_delay",
-    "camera_delay",
-    "worksite.camera",
-    "worksite.drive",
-    "arm.shapes",
-)
-"""Keys of what is seen or announced."""
 _ROUNDING = 1e-9
 """Distance [rad or m] by which a coordinate may be outside its limits because of rounding."""
 
@@ -98,14 +88,15 @@ def go_on(before: Flight, after: Flight, state: State, changes: tuple[str, ...],
     for k in _moved(before, after, given):
         _place(after, new, k)
     checked = panel.check is not None or state.checking is not None
-    if checked and panel.target is not None and panel.sequence != "in progress" and not all(map(_is_for_eyes, given)):
+    if checked and panel.target is not None and panel.sequence != "in progress" and any(map(_is_rehearsed, given)):
         begin_check(new, panel.target)
     return new
 
 
-def _is_for_eyes(where: Where) -> bool:
-    """Return whether a value changes only what is seen or announced, which no rehearsal needs."""
-    return any(fits(key_at(where), pattern) for pattern in _FOR_EYES)
+def _is_rehearsed(where: Where) -> bool:
+    """Return whether a rehearsal depends on a value."""
+    row = changing(key_at(where))
+    return row is not None and row.rehearsed
 
 
 def check_fit(before: Flight, after: Flight, state: State, given: Collection[Where]) -> None:
@@ -135,10 +126,9 @@ def _misfits(before: Flight, after: Flight, state: State, given: Collection[Wher
     if before.cameras.axes != after.cameras.axes:
         yield "a camera would lose or get a drive, which cannot change in flight"
         return
-    if before.scenario is not after.scenario:
-        for name, at in zip(after.cameras.names, _views(before, after, state.views, given), strict=True):
-            if why := after.cameras.misfit(name, at):
-                yield f"camera {name} is set so that it does not fit: {why}"
+    for name, at in zip(after.cameras.names, _views(before, after, state.views, given), strict=True):
+        if why := after.cameras.misfit(name, at):
+            yield f"camera {name} is set so that it does not fit: {why}"
     yield from _unplaceable(after, worksite, _moved(before, after, given))
 
 

@@ -15,7 +15,7 @@ from typing import Any, cast, get_args, get_type_hints
 import msgspec
 
 from aftdeck.errors import InputError
-from aftdeck.files import place
+from aftdeck.files import place, plain_value
 from aftdeck.plain_values import few_numbers, flag, items, number, numbers, text, whole_number
 from aftdeck.scenario.changes import as_toml, parse_key
 from aftdeck.scenario.disturbance import MOST_DISTURBANCES, Disturbance
@@ -181,7 +181,7 @@ def _plain_changes(given: object) -> dict[str, str]:
 
 def _plain_value(value: Any) -> str:
     """Return a value of a file as text, as it stands after KEY=."""
-    plain = value.tolist() if hasattr(value, "tolist") else value
+    plain = plain_value(value)
     if isinstance(plain, str):
         return text(plain)
     if not isinstance(plain, bool | int | float | list | tuple | dict):

@@ -32,6 +32,8 @@ MOST_LINES = 40
 """Greatest number of lines of an answer."""
 MOST_WORDS = 40
 """Greatest number of completions."""
+_END = re.compile(r"[.\[]")
+"""End of a part of a key."""
 _LAST = re.compile(r"[^\s;=]*$")
 
 
@@ -94,7 +96,7 @@ def completions(line: str, now: Now) -> tuple[str, ...]:
     found: dict[str, None] = {}
     for name, entry in entries.items():
         if name.startswith(last) and (before[0] == "print" or entry.changes):
-            end = re.compile(r"[.\[]").search(name, len(last) + 1)
+            end = _END.search(name, len(last) + 1)
             found[name[: end.start()] if end else name] = None
     return tuple(sorted(found, key=lambda name: (len(name), name)))[:MOST_WORDS]
 
