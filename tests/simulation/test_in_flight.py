@@ -7,11 +7,13 @@ import functools
 import random
 from pathlib import Path
 
+import numpy as np
 import pytest
 
 import aftdeck
 from aftdeck import Inputs
 from aftdeck.errors import InputError, ScenarioError
+from aftdeck.frames import Pose
 from aftdeck.recording.replay import verify
 from aftdeck.recording.writer import Recorder
 from aftdeck.scenario.in_flight import CHANGING, FIXED, obstacle
@@ -20,6 +22,7 @@ from aftdeck.scenario.key_list import NOT_GIVEN, key_list
 from aftdeck.scenario.keys import key_of
 from aftdeck.scenario.load import in_force, load_scenario, parse_scenario
 from aftdeck.scenario.model import Scenario
+from aftdeck.scenario.target import target_at
 from aftdeck.simulation.camera_drives import CameraDrive
 from aftdeck.simulation.run import Simulation
 from tests.each import each, seeds
@@ -319,3 +322,23 @@ def test_too_many_changes_in_a_step_are_refused() -> None:
         sim.prepare(many)
     with pytest.raises(InputError, match="at most 64"):
         sim.step(Inputs(changes=many))
+
+
+def test_verdict_is_given_again_after_a_change_on_which_it_depends() -> None:
+    """The housing of a camera collides; a field of view does not."""
+    sim = Simulation(scenario("first-flight"))
+    tip = sim.scenario.arm.forward(sim.step(Inputs()).angles)
+    target = target_at(Pose(tip.position + np.array([0.0, 0.0, 0.2]), tip.rotation))
+    sim.step(Inputs(mode="OPR CMD"))
+    frame = sim.step(Inputs(target=target))
+    while frame.check is None:
+        frame = sim.step(Inputs())
+    kept = sim.save()
+    for key, value, again in (
+        ("worksite.camera[0].field_of_view", "40 deg", False),
+        ("clearance.caution", "0.6 m", False),
+        ("worksite.camera[0].position", "[-8.8, -1.8, 1.2]", True),
+    ):
+        sim.restore(kept)
+        sim.step(Inputs(changes={key: value}))
+        assert (sim._state.checking is not None) == again, key

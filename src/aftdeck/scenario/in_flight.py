@@ -29,7 +29,8 @@ class Changing(NamedTuple):
     Attributes:
         pattern: the key; ``[*]`` stands for any number. All keys inside it can change, too.
         what: what it is.
-        rehearsed: whether a rehearsal of CMD CK depends on it; not if it is only seen or announced.
+        rehearsed: whether a rehearsal of CMD CK depends on it; not if it is only seen or announced. The place and the
+            direction of a camera are those of its housing, too, which collides.
     """
 
     pattern: str
@@ -63,16 +64,16 @@ CHANGING = (
     Changing("arm.por", "limits of the point of resolution"),
     Changing("arm.singular", "threshold of the lamp SINGULAR"),
     Changing("arm.servo", "constants of servos and brakes"),
-    Changing("arm.shapes.camera[*].position", "place of a camera", rehearsed=False),
-    Changing("arm.shapes.camera[*].boresight", "direction of a camera", rehearsed=False),
-    Changing("arm.shapes.camera[*].up", "direction of a camera", rehearsed=False),
-    Changing("arm.shapes.camera[*].zero", "direction of a camera", rehearsed=False),
+    Changing("arm.shapes.camera[*].position", "place of a camera"),
+    Changing("arm.shapes.camera[*].boresight", "direction of a camera"),
+    Changing("arm.shapes.camera[*].up", "direction of a camera"),
+    Changing("arm.shapes.camera[*].zero", "direction of a camera"),
     Changing("arm.shapes.camera[*].field_of_view", "field of view of a camera", rehearsed=False),
     Changing("arm.shapes.drive", "ranges and rates of a camera's drive", rehearsed=False),
-    Changing("worksite.camera[*].position", "place of a camera", rehearsed=False),
-    Changing("worksite.camera[*].boresight", "direction of a camera", rehearsed=False),
-    Changing("worksite.camera[*].up", "direction of a camera", rehearsed=False),
-    Changing("worksite.camera[*].zero", "direction of a camera", rehearsed=False),
+    Changing("worksite.camera[*].position", "place of a camera"),
+    Changing("worksite.camera[*].boresight", "direction of a camera"),
+    Changing("worksite.camera[*].up", "direction of a camera"),
+    Changing("worksite.camera[*].zero", "direction of a camera"),
     Changing("worksite.camera[*].field_of_view", "field of view of a camera", rehearsed=False),
     Changing("worksite.drive", "ranges and rates of a camera's drive", rehearsed=False),
     Changing("worksite.cargo[*].start", "place and motion of a free payload: it takes them at once"),
