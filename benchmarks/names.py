@@ -53,6 +53,7 @@ NAMES = {
     "session": Benchmark(STATION, "benchmarks.session", "session", by_default=False),
     "loaded": Benchmark(STATION, "benchmarks.loaded", "loaded"),
     "attacked": Benchmark(STATION, "benchmarks.attacked", "attacked", by_default=False),
+    "console": Benchmark(STATION, "benchmarks.console", "console", by_default=False),
     "page": Benchmark(STATION, "benchmarks.page", "page"),
     "soak": Benchmark(STATION, "benchmarks.loaded", "soak", by_default=False, limit_s=DAY),
     "recording": Benchmark(RECORDINGS, "benchmarks.recording", "recording"),

@@ -6,7 +6,6 @@ compiled: a process calls `run_plain`, and `Laws` replaces its laws between two 
 
 from __future__ import annotations
 
-import io
 import pickle
 import queue
 import threading
@@ -15,10 +14,9 @@ from collections.abc import Callable
 from multiprocessing.connection import Connection
 from typing import Any, NamedTuple
 
-import numpy as np
-
 from aftdeck import law_cache
 from aftdeck.errors import AftdeckError
+from aftdeck.exact_pickle import pickled
 from aftdeck.law import are_compiled, is_plain, prepare, run_compiled
 from aftdeck.law_cache import NotKept, only_kept
 from aftdeck.law_folder import compiled_before
@@ -172,7 +170,7 @@ class Laws:
         counter = Counter(work.files, self._set)
         self._child = child = Child(_compile_for, nice=self._nice)
         try:
-            child.pipe.send_bytes(_pickled(work))
+            child.pipe.send_bytes(pickled(work))
             while (file := child.pipe.recv()) is not None:
                 if isinstance(file, str):
                     raise CompilationError(f"the laws cannot be compiled: {file}")
@@ -196,28 +194,6 @@ def _missing(work: Work) -> str | None:
     except NotKept as error:
         return str(error)
     return None
-
-
-def _pickled(work: Work) -> bytes:
-    """Return a call as bytes, from which another process makes it again with the same machine code.
-
-    Numba distinguishes arrays that are read-only, which a pickle by itself does not keep.
-    """
-    file = io.BytesIO()
-    _Pickler(file).dump(work)
-    return file.getvalue()
-
-
-class _Pickler(pickle.Pickler):
-    def reducer_override(self, what: Any) -> Any:
-        if type(what) is np.ndarray and not what.flags.writeable:
-            return _read_only, (what.copy(),)
-        return NotImplemented
-
-
-def _read_only(array: np.ndarray) -> np.ndarray:
-    array.flags.writeable = False
-    return array
 
 
 def _compile_for(pipe: Connection) -> None:

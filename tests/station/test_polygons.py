@@ -216,7 +216,7 @@ def test_closing_ends_a_process_that_compiles() -> None:
     painter.want({Shot("A"): 1.5})
     until(lambda: painter._painting is not None, "the process")
     painter.close()
-    assert started[0]._child.process.returncode is not None
+    assert started[0]._process._child.process.returncode is not None
     assert painter._thread is not None
     painter._thread.join(WAIT_S)
     assert not painter._thread.is_alive() and painter.failure == ""

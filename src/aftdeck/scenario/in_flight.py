@@ -163,8 +163,13 @@ def _parts(pattern: str) -> tuple[str, ...]:
 
 def merged(before: tuple[str, ...], new: Mapping[str, str]) -> tuple[str, ...]:
     """Return changes in force and new ones, each as KEY=VALUE; a new value replaces that of the same key."""
+    return _merged(before, tuple(new.items()))
+
+
+@lru_cache(maxsize=64)
+def _merged(before: tuple[str, ...], new: tuple[tuple[str, str], ...]) -> tuple[str, ...]:
     values = dict(map(parse_change, before))
-    for key, value in new.items():
+    for key, value in new:
         where = parse_key(key)
         for other in [one for one in values if one[: len(where)] == where]:
             del values[other]  # also what is inside a table that is set as a whole: the newest value comes last

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+import pickle
+from collections.abc import Callable
+from dataclasses import dataclass, fields
 from functools import cached_property
 from typing import Literal
 
@@ -11,6 +13,7 @@ import numpy as np
 from aftdeck.arms.flexures import Flexure, flexures_of
 from aftdeck.arms.limits import JointRates
 from aftdeck.bodies.cameras import Setting
+from aftdeck.exact_pickle import pickled
 from aftdeck.files import Problem
 from aftdeck.kinematics.arm import Arm
 from aftdeck.kinematics.payload import HeldPayload
@@ -273,6 +276,10 @@ class Scenario:
         """Return the scenario itself, which nothing can change."""
         return self
 
+    def __reduce__(self) -> tuple[Callable[[bytes], Scenario], tuple[bytes]]:
+        """Return how a pickled scenario is made again, with arrays that nothing can change."""
+        return _unpickled, (pickled({field.name: getattr(self, field.name) for field in fields(self)}),)
+
     @cached_property
     def flexures(self) -> tuple[Flexure, ...]:
         """Parts of the arm that bend on the scenario's plant."""
@@ -301,3 +308,8 @@ class Scenario:
     def initial_rates(self) -> np.ndarray:
         """(n,) joint rates at the start [rad/s]."""
         return self.start.rates
+
+
+def _unpickled(values: bytes) -> Scenario:
+    """Return a scenario from the pickle of its fields."""
+    return Scenario(**pickle.loads(values))

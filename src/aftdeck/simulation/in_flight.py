@@ -18,6 +18,7 @@ from aftdeck.files import Where
 from aftdeck.scenario.in_flight import changing
 from aftdeck.scenario.keys import key_at
 from aftdeck.scenario.load import in_force
+from aftdeck.scenario.model import Scenario
 from aftdeck.simulation.camera_drives import Views
 from aftdeck.simulation.constants.flight import Flight, run_constants
 from aftdeck.simulation.frame_poses import frames_with_prong_at
@@ -41,6 +42,18 @@ class Resumed(NamedTuple):
     state: State
 
 
+class Made(NamedTuple):
+    """Constants of a run with changes in force, which another process may have made.
+
+    Attributes:
+        changes: the changes, each as KEY=VALUE.
+        flight: the constants.
+    """
+
+    changes: tuple[str, ...]
+    flight: Flight
+
+
 def constants_with(base: Flight, changes: tuple[str, ...], *, gauged: bool) -> Flight:
     """Return the constants of a run with changes in flight.
 
@@ -54,6 +67,11 @@ def constants_with(base: Flight, changes: tuple[str, ...], *, gauged: bool) -> F
     """
     scenario = in_force(base.scenario, changes)
     return base if scenario is base.scenario else run_constants(scenario, gauged=gauged)
+
+
+def make(begun: Scenario, changes: tuple[str, ...]) -> Made:
+    """Return the constants of a run without gauges; arguments and errors as for `scenario.load.in_force`."""
+    return Made(changes, run_constants(in_force(begun, changes)))
 
 
 def changes_in(saved: bytes) -> tuple[str, ...]:

@@ -19,7 +19,7 @@ from aftdeck.scenario.model import Scenario, Start
 from aftdeck.simulation.begin import initial_state
 from aftdeck.simulation.constants.flight import Flight, run_constants
 from aftdeck.simulation.frame import Event, Frame, Level
-from aftdeck.simulation.in_flight import check_fit, constants_with, go_on, resumed
+from aftdeck.simulation.in_flight import Made, check_fit, constants_with, go_on, resumed
 from aftdeck.simulation.inputs import Inputs
 from aftdeck.simulation.observe.look import frame_of
 from aftdeck.simulation.observe.look_ahead import Ahead, Axis, look_ahead
@@ -184,13 +184,14 @@ class Simulation:
                 raise InputError(f"changes: {error}") from None
         return plain
 
-    def prepare(self, changes: Mapping[str, str]) -> Scenario:
+    def prepare(self, changes: Mapping[str, str], made: Made | None = None) -> Scenario:
         """Prepare changes in flight, so that the step in which they act takes milliseconds and not tenths of a second.
 
         A thread of its own may call this while another one steps.
 
         Args:
             changes: values by their keys, as in `Inputs.changes`.
+            made: constants of the run with the changes, made elsewhere; others than those needed are not used.
 
         Returns:
             The scenario that will then be in force.
@@ -200,19 +201,25 @@ class Simulation:
         """
         if len(changes) > MOST_CHANGES:
             raise InputError(f"{len(changes)} changes in one step; at most {MOST_CHANGES} are allowed")
+        if made is not None:
+            self._keep(made)
         flight = self._with(merged(self._state.changes, changes))
         check_fit(self._flight, flight, self._state, [parse_key(key) for key in changes])
         return flight.scenario
 
     def _with(self, changes: tuple[str, ...]) -> Flight:
         """Return the constants of the run with changes in force, and keep them for the step in which they act."""
-        ready, flight = self._ready, self._ready.get(changes)
+        flight = self._ready.get(changes)
         if flight is None:
             flight = constants_with(self._base, changes, gauged=self._gauged)
-            if len(ready) >= MOST_READY:
-                ready.clear()
-            ready[changes] = flight
+            self._keep(Made(changes, flight))
         return flight
+
+    def _keep(self, made: Made) -> None:
+        """Keep constants for the step in which their changes act."""
+        if len(self._ready) >= MOST_READY:
+            self._ready.clear()
+        self._ready[made.changes] = made.flight
 
     def _change(self, changes: Mapping[str, str]) -> list[Event]:
         """Change values in flight, and return the lines about it for the log of the next step."""
@@ -221,7 +228,7 @@ class Simulation:
         after = merged(self._state.changes, changes)
         flight = self._with(after)
         self._state = go_on(self._flight, flight, self._state, after, [parse_key(key) for key in changes])
-        self._flight, self._ready = flight, {}
+        self._flight = flight
         return [self._line(f"{key} = {value}", "info") for key, value in changes.items()]
 
     def _planned_changes(self) -> list[Event]:

@@ -7,7 +7,8 @@ each control period, commanded joint rates come out of steering, and measured an
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
+from functools import partial
 from typing import Any, Literal, NamedTuple
 
 import mujoco
@@ -93,6 +94,7 @@ class MultibodyPlant:
             gauged: whether the plant has gauges, which take time in each step.
         """
         self.readings: Readings | None = None
+        self._made_of = models, arm, travel, period
         self._thrusters, self._gauged = thrusters, gauged
         self._steps = math.ceil(period / STEP - 1e-9)
         self._travel, self._period = travel, period
@@ -112,6 +114,10 @@ class MultibodyPlant:
         gauges = Gauges(view, arm) if self._gauged else None
         pushes = Pushes(model, view.data, arm.linkage.frames[-1])
         return _Model(view, servos, Payloads(model, view.data), contacts, jets, pushes, gauges)
+
+    def __reduce__(self) -> tuple[Callable[[], MultibodyPlant], tuple[()]]:
+        """Return how a copy is made: from the compiled models, because MuJoCo's workspaces cannot be copied."""
+        return partial(MultibodyPlant, *self._made_of, thrusters=self._thrusters, gauged=self._gauged), ()
 
     @property
     def accuracy(self) -> Accuracy:

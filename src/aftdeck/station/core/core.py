@@ -23,11 +23,10 @@ from aftdeck.simulation.inputs import Inputs
 from aftdeck.simulation.run import Simulation
 from aftdeck.station.conversion.frame_of import Displays
 from aftdeck.station.conversion.welcome_of import changed_of, welcome_of
-from aftdeck.station.core import typewriter
 from aftdeck.station.core.asked import Asked
 from aftdeck.station.core.autopilot import SCRIPT, Autopilots, Engaged
 from aftdeck.station.core.commands import inputs_of, travel
-from aftdeck.station.core.desk import NOT_IN_CONTROL, Answer, Desk, Page
+from aftdeck.station.core.desk import Answer, Desk, Page
 from aftdeck.station.core.light import Lights
 from aftdeck.station.core.link import Link, LinkDelays
 from aftdeck.station.core.look import Look
@@ -39,6 +38,7 @@ from aftdeck.station.core.roles import ControlRoles
 from aftdeck.station.core.step import PUNCTUAL, Begun, Delay, Observer, Step
 from aftdeck.station.core.task_run import TaskRun
 from aftdeck.station.core.telemetry import Telemetry
+from aftdeck.station.core.typewriter import Console, Now, Typewriter
 from aftdeck.station.core.unattended import safe_inputs
 from aftdeck.station.messages import from_page, to_page
 
@@ -92,6 +92,7 @@ class Core:
         clock: Callable[[], float],
         recording: Recording | None = None,
         observers: Sequence[Observer] = (),
+        console: Console | None = None,
         demo: bool = False,
         shown: bool = False,
         autopilots: Autopilots | None = None,
@@ -105,6 +106,7 @@ class Core:
             clock: returns the host's time [s].
             recording: records the runs; None: they are not recorded.
             observers: further observers.
+            console: answers the lines of the console; None: the core does it.
             demo: whether the script runs until the operator moves a stick or sends a command; also after a restart.
             shown: whether the script runs in this way in the first run.
             autopilots: returns the autopilot that flies a scenario in this way, if the script does not; None: none.
@@ -113,6 +115,7 @@ class Core:
         self.scenario, self.observers = scenario, tuple(observers)
         self._seed, self._clock, self._recording = seed, clock, recording
         self._first = SCRIPT if demo else autopilots(scenario) if autopilots else None
+        self._console = console or Typewriter(scenario)
         self._displays = Displays(scenario)
         self.welcome = welcome_of(scenario, demo=demo or shown)
         self.desk: Desk = Desk(
@@ -195,28 +198,24 @@ class Core:
         All long work is done here and not in the step. A host with threads may call this while another one steps.
         """
         try:
-            answer = typewriter.reply(line, self._now())
-            if answer.changes and not may_set:
-                raise InputError(NOT_IN_CONTROL)
+            answer = self._console.reply(line, self._now(may_set=may_set))
             if answer.changes:
-                changed_of(self._sim.prepare(self.desk.changes | answer.changes))
+                changed_of(self._sim.prepare(self.desk.changes | answer.changes, answer.made))
                 self.change(answer.changes)
         except InputError as error:
             return to_page.Typed(seq, tuple(str(error).splitlines()), refused=True)
-        done = tuple(f"{key} = {value}" for key, value in answer.changes.items())
-        return to_page.Typed(seq, (*answer.lines, *done), refused=False)
+        return to_page.Typed(seq, answer.lines, refused=False)
 
     def complete_line(self, line: str) -> tuple[str, ...]:
         """Return the words with which the last word of a line on the console can go on."""
-        return typewriter.completions(line, self._now())
+        return self._console.completions(line, self._now())
 
     def change(self, changes: dict[str, str]) -> None:
         """Make changes in flight, which `Simulation.prepare` has checked, in the next step."""
         self.desk.changes = self.desk.changes | changes
 
-    def _now(self) -> typewriter.Now:
-        frame = self._frame
-        return typewriter.Now(self.scenario, self._sim.in_force, frame, frame.changes if frame else ())
+    def _now(self, *, may_set: bool = True) -> Now:
+        return Now(self._frame, self.desk.changes, may_set)
 
     def take(self) -> Asked:
         """Return what the pages ask for in the next step."""

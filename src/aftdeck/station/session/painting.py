@@ -6,25 +6,22 @@ tenth of a second.
 
 from __future__ import annotations
 
-import contextlib
-import threading
 from collections.abc import Callable, Mapping
 from functools import cached_property
 from multiprocessing.connection import Connection
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import msgspec
 
 from aftdeck import law_cache
-from aftdeck.errors import AftdeckError
 from aftdeck.law import are_compiled
 from aftdeck.law_change import Counter, Progress
 from aftdeck.law_folder import compiled_before
-from aftdeck.processes import BACKGROUND, Child
 from aftdeck.scenario.light import LightCondition
 from aftdeck.scenario.model import Scenario
 from aftdeck.simulation.frame import Frame
 from aftdeck.station.conversion.polygons_of import PolygonPictures, Shot
+from aftdeck.station.session.answering import Answering, answer_all
 from aftdeck.visual.diagram import sheet
 from aftdeck.visual.scene import VisualScene
 from aftdeck.visual.warm import FILES, warm_up
@@ -57,13 +54,12 @@ class Painting:
 
     def __init__(self, scenario: Scenario) -> None:
         """Start the process."""
-        self._child = Child(paint, scenario, nice=BACKGROUND)
-        self._lock = threading.Lock()
+        self._process = Answering(paint, scenario)
 
     @property
     def pid(self) -> int:
         """Number of the process in the operating system."""
-        return self._child.process.pid
+        return self._process.pid
 
     def wait(self, tell: Callable[[Progress], None]) -> None:
         """Wait until the process can draw, which may take minutes on the first start; `tell` is called meanwhile.
@@ -71,13 +67,11 @@ class Painting:
         Raises:
             EOFError: the process has ended; so do the other methods.
         """
-        with self._lock:
-            while (progress := self._receive()) is not None:
-                tell(progress)
+        self._process.messages(tell)
 
     def pictures(self, wanted: Wanted) -> dict[Shot, bytes]:
         """Return pictures, encoded as JSON."""
-        return {shot: picture for shot, picture in zip(wanted.aspects, self._ask(wanted), strict=True)}
+        return {shot: picture for shot, picture in zip(wanted.aspects, self._process.ask(wanted), strict=True)}
 
     def sheet(self, wanted: Sheet) -> bytes:
         """Return a sheet as SVG.
@@ -86,29 +80,13 @@ class Painting:
             InputError: there is no such camera.
             SimulationError: the camera is inside a body, or the bodies cannot be put in order.
         """
-        (svg,) = self._ask(wanted)
+        svg: bytes
+        (svg,) = self._process.ask(wanted)
         return svg
 
     def close(self) -> None:
         """End the process; a method that waits for it then raises an EOFError."""
-        self._child.process.kill()
-        with self._lock:
-            self._child.kill()
-
-    def _ask(self, request: Wanted | Sheet) -> list[bytes]:
-        with self._lock:
-            with contextlib.suppress(OSError):  # the process has ended, which `_receive` tells
-                self._child.pipe.send(request)
-            answer: list[bytes] | AftdeckError = self._receive()
-        if isinstance(answer, AftdeckError):
-            raise answer
-        return answer
-
-    def _receive(self) -> Any:
-        try:
-            return self._child.pipe.recv()
-        except OSError:  # the pipe is broken or closed
-            raise EOFError from None
+        self._process.close()
 
 
 class Drawer:
@@ -149,8 +127,4 @@ def paint(pipe: Connection, scenario: Scenario) -> None:
         law_cache.observers.clear()
     drawer = Drawer(scenario)
     pipe.send(None)
-    while True:
-        try:
-            pipe.send(drawer.answer(pipe.recv()))
-        except AftdeckError as error:
-            pipe.send(error)
+    answer_all(pipe, drawer.answer)

@@ -27,6 +27,7 @@ from aftdeck.station.core.step import PUNCTUAL, Begun, Delay
 from aftdeck.station.messages import from_page
 from aftdeck.station.session.painter import Painter
 from aftdeck.station.session.session_recorder import SessionRecorder
+from aftdeck.station.session.typing_process import TypingProcess
 from aftdeck.station.session.warm import warm_up
 
 
@@ -72,6 +73,7 @@ class Session(Core):
         self.laws = laws or Laws()
         self.laws.want(warm_up, scenario)
         self.painter = Painter(scenario)
+        self._typing = TypingProcess(scenario)
         self._recorder = SessionRecorder(record, Index(), live, trial)
         self._lock = threading.Lock()
         self.folder, self._demo, self._autopilots, self._trial, self._live = record, demo, autopilots, trial, live
@@ -81,6 +83,7 @@ class Session(Core):
             clock=clock,
             recording=self._recorder,
             observers=[self.painter],
+            console=self._typing,
             demo=demo,
             shown=shown,
             autopilots=autopilots,
@@ -168,6 +171,7 @@ class Session(Core):
     def close(self) -> None:
         """End the run, and wait for its recording."""
         self.painter.close()
+        self._typing.close()
         super().close()
         self._recorder.close()
 
