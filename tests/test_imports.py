@@ -23,6 +23,7 @@ LAYERS = (
         "unit_sizes",
         "encodable",
         "errors",
+        "exact_pickle",
         "extra",
         "files",
         "folders",
