@@ -16,7 +16,7 @@ from collections.abc import Callable
 import numpy as np
 
 import aftdeck
-from aftdeck.law_folder import cache_folder
+from aftdeck.law_folder import cache_folder, state_of_the_laws
 from aftdeck.steering.batch import steer_batch
 from tests import loaded
 
@@ -59,9 +59,9 @@ def main() -> int:
     """Compile both parts, unless this version of the laws was compiled before, for this Python."""
     folder = cache_folder()
     here = hashlib.sha256(sys.version.encode()).hexdigest()[:16]
-    if folder is None or (done := folder / f"complete-{here}").exists():
+    if folder is None or (done := folder / f"complete-{here}-{state_of_the_laws()}").exists():
         return 0
-    print("Compiling the laws, once for this version of them (some minutes)", flush=True)
+    print("Compiling the laws that this version has changed (some minutes)", flush=True)
     begun = time.monotonic()
     processes = [subprocess.Popen([sys.executable, "-m", "tests.compile_laws", name]) for name in PARTS]
     if failed := [process.args for process in processes if process.wait()]:

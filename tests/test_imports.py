@@ -28,6 +28,7 @@ LAYERS = (
         "files",
         "folders",
         "law_folder",
+        "law_digest",
         "law_cache",
         "law",
         "law_change",

@@ -14,10 +14,10 @@ import aftdeck
 from aftdeck import law
 
 
-def cache_folder(source: Path, home: Path) -> str:
-    """Return the folder in which a copy of the package stores the machine code of its laws."""
-    code = "from aftdeck.law_folder import cache_folder; print(cache_folder())"
-    env = {**os.environ, "PYTHONPATH": str(source), "NUMBA_CACHE_DIR": str(home)}
+def state(source: Path) -> str:
+    """Return the digest of all laws of a copy of the package, which recordings and studies contain."""
+    code = "from aftdeck.law_folder import state_of_the_laws; print(state_of_the_laws())"
+    env = {**os.environ, "PYTHONPATH": str(source)}
     done = subprocess.run(
         [sys.executable, "-c", code], env=env, capture_output=True, text=True, check=True, timeout=300
     )
@@ -36,16 +36,15 @@ def cache_folder(source: Path, home: Path) -> str:
         "steering/limiters.py",
     ],
 )
-def test_changed_source_selects_another_machine_code_cache(tmp_path: Path, changed: str) -> None:
+def test_changed_source_has_another_digest_of_all_laws(tmp_path: Path, changed: str) -> None:
     shutil.copytree(
         Path(aftdeck.__file__).parent, tmp_path / "src" / "aftdeck", ignore=shutil.ignore_patterns("static")
     )
-    before = cache_folder(tmp_path / "src", tmp_path / "cache")
-    assert before.startswith(str(tmp_path / "cache"))
-    assert cache_folder(tmp_path / "src", tmp_path / "cache") == before
+    before = state(tmp_path / "src")
+    assert state(tmp_path / "src") == before
     with (tmp_path / "src" / "aftdeck" / changed).open("a") as file:
         file.write("\nSURPLUS = 1\n")
-    assert cache_folder(tmp_path / "src", tmp_path / "cache") != before
+    assert state(tmp_path / "src") != before
 
 
 def runs(code: str) -> None:

@@ -18,7 +18,10 @@ import pytest
 from aftdeck import law
 from aftdeck.folders import say_once
 from aftdeck.law_cache import LawCache, in_memory
+from aftdeck.law_digest import Options
+from aftdeck.law_folder import ENDING
 
+OPTIONS = Options(fused=False, inlined=True)
 SOURCE = """
 def hypotenuse(a, b):
     return (a * a + b * b) ** 0.5
@@ -73,14 +76,14 @@ class Laws:
 
         in_memory.clear()
         compiled: Any = numba.njit(self.module.hypotenuse)
-        compiled._cache = LawCache(self.module.hypotenuse, self.folder)
+        compiled._cache = LawCache(self.module.hypotenuse, OPTIONS, self.folder)
         assert compiled(3.0, 4.0) == 5.0
         gc.collect()  # nothing of an earlier compilation helps
         return bool(compiled.stats.cache_misses)
 
     def files(self) -> list[Path]:
         """Return the files of the cache."""
-        return [path for path in self.folder.rglob("*") if path.is_file()]
+        return list(self.folder.rglob(f"*{ENDING}"))
 
 
 @pytest.fixture(scope="module")
@@ -110,7 +113,7 @@ def test_a_file_of_another_signature_is_not_run(laws: Laws) -> None:
     import numba  # noqa: PLC0415
 
     other: Any = numba.njit(laws.module.hypotenuse)
-    other._cache = LawCache(laws.module.hypotenuse, laws.folder)
+    other._cache = LawCache(laws.module.hypotenuse, OPTIONS, laws.folder)
     assert other(3, 4) == 5.0
     (second,) = (path for path in laws.files() if path != file)
     shutil.copy(second, file)
@@ -125,13 +128,17 @@ def test_another_source_has_machine_code_of_its_own(laws: Laws, tmp_path: Path) 
     (tmp_path / "another").mkdir()
     source = tmp_path / "another" / "some_laws.py"
     source.write_text(SOURCE.replace("0.5", "0.25"))
-    code = (
-        f"import sys; sys.path.insert(0, {str(source.parent)!r}); import some_laws, numba; from pathlib import Path; "
-        + (
-            f"from aftdeck.law_cache import LawCache, in_memory; law = numba.njit(some_laws.hypotenuse); "
-            f"law._cache = LawCache(some_laws.hypotenuse, Path({str(laws.folder)!r})); print(law(3.0, 4.0))"
-        )
-    )
+    code = f"""
+import sys, numba
+from pathlib import Path
+sys.path.insert(0, {str(source.parent)!r})
+import some_laws
+from aftdeck.law_cache import LawCache
+from aftdeck.law_digest import Options
+law = numba.njit(some_laws.hypotenuse)
+law._cache = LawCache(some_laws.hypotenuse, Options(fused=False, inlined=True), Path({str(laws.folder)!r}))
+print(law(3.0, 4.0))
+"""
     done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True, timeout=300)
     assert float(done.stdout) == 5.0**0.5
 

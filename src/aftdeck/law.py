@@ -31,6 +31,7 @@ from typing import Any, Literal, ParamSpec, TypeVar, cast
 import numpy as np
 
 from aftdeck.law_cache import LawCache, NotKept, here, only_kept
+from aftdeck.law_digest import Options
 from aftdeck.law_folder import cache_folder, compiled_before
 
 _P = ParamSpec("_P")
@@ -64,27 +65,27 @@ class _Declared:
 
     def __init__(self, function: Callable[..., Any], interpreted: bool, fused: bool, inlined: bool) -> None:
         functools.update_wrapper(self, function)
-        self._function, self._interpreted, self._fused, self._inlined = function, interpreted, fused, inlined
+        self.function, self.options, self._interpreted = function, Options(fused, inlined), interpreted
         self._missing = False
 
     @functools.cached_property
     def compiled(self) -> Callable[..., Any]:
         """Law as a function that Numba compiles at its first call."""
-        return _compiled(self._function, fused=self._fused, inlined=self._inlined)
+        return _compiled(self.function, self.options)
 
     def __call__(self, *given: Any) -> Any:
         """Call the law in the way of this process and thread."""
         if _here.nested:
-            return self._function(*given)
+            return self.function(*given)
         if (here.only_kept or _way == "compiled") and not _here.plain:
             return self.compiled(*given)
         if _prepared is not None:
             load()
         if _waiting is not None:
             if self._interpreted and not _here.plain:
-                return self._function(*given)
+                return self.function(*given)
             if _here.plain or _way == "plain" or (_way == "kept" and self._missing):
-                return _as_python(self._function, *given)
+                return _as_python(self.function, *given)
             if _way == "kept":
                 return self._kept_or_plain(*given)
             load()
@@ -96,7 +97,7 @@ class _Declared:
                 return self.compiled(*given)
         except NotKept:
             self._missing = True
-            return _as_python(self._function, *given)
+            return _as_python(self.function, *given)
 
     @property
     def _numba_type_(self) -> Any:
@@ -178,7 +179,7 @@ def _declared(
 ) -> Callable[_P, _R]:
     with _loading:
         if _waiting is None:
-            return _compiled(function, fused=fused, inlined=inlined)
+            return _compiled(function, Options(fused, inlined))
         _waiting.append(_Declared(function, interpreted, fused, inlined))
         return cast("Callable[_P, _R]", _waiting[-1])
 
@@ -253,19 +254,19 @@ def _replacements(declared: list[_Declared]) -> list[tuple[dict[str, Any], str, 
     ]
 
 
-def _compiled(function: Callable[_P, _R], *, fused: bool, inlined: bool) -> Callable[_P, _R]:
+def _compiled(function: Callable[_P, _R], given: Options) -> Callable[_P, _R]:
     import numba  # noqa: PLC0415  (takes 0.6 s; only calling a law needs it)
 
     options: dict[str, Any] = {
         "error_model": "numpy",
-        "fastmath": {"contract"} if fused else False,
-        "forceinline": inlined,
+        "fastmath": {"contract"} if given.fused else False,
+        "forceinline": given.inlined,
         "nogil": True,
         "no_cfunc_wrapper": True,
     }
     compiled: Any = numba.njit(**options)(function)
     if compiled is function:  # NUMBA_DISABLE_JIT
         return cast("Callable[_P, _R]", functools.wraps(function)(functools.partial(_as_python, function)))
-    if not fused and Path(function.__code__.co_filename).is_file():  # the cache does not distinguish the two versions
-        compiled._cache = LawCache(function, cache_folder())
+    if Path(function.__code__.co_filename).is_file():
+        compiled._cache = LawCache(function, given, cache_folder())
     return cast("Callable[_P, _R]", compiled)

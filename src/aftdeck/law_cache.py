@@ -20,7 +20,8 @@ from typing import Any
 
 from aftdeck.errors import InputError
 from aftdeck.folders import say_once
-from aftdeck.law_folder import ENDING
+from aftdeck.law_digest import Options, digest_of, digest_of_types
+from aftdeck.law_folder import ENDING, mark_used, mark_version
 from aftdeck.whole_file import write_whole
 
 _SEAL = hashlib.sha256().digest_size
@@ -62,18 +63,18 @@ class LawCache:
     """Machine code of one law: one file for each signature. It is a cache of Numba's dispatcher.
 
     A file begins with the SHA-256 of the rest: the signature, and Numba's result of the compilation. Its name contains
-    a digest of everything on which the machine code depends, except for the laws that this law calls: a folder holds
-    the machine code of one version of all laws.
+    a digest of everything on which the machine code depends.
     """
 
-    def __init__(self, law: Callable[..., Any], folder: Path | None) -> None:
+    def __init__(self, law: Callable[..., Any], options: Options, folder: Path | None) -> None:
         """Prepare the cache.
 
         Args:
             law: function, from a file.
-            folder: folder for this version of all laws; None: the files are in memory.
+            options: how it is compiled.
+            folder: folder of the files; None: they are in memory.
         """
-        self._law, self._folder = law, folder
+        self._law, self._options, self._folder = law, options, folder
 
     @property
     def cache_path(self) -> str:
@@ -92,7 +93,7 @@ class LawCache:
         if result is None and here.only_kept:
             raise NotKept(name)
         if result is not None:
-            _tell(name)
+            self._tell(name)
         return result
 
     def save_overload(self, signature: Any, compiled: Any) -> None:
@@ -102,18 +103,18 @@ class LawCache:
         name = self._name(signature, compiled.codegen)
         data = _numba("serialize").dumps((signature, compiled._reduce()))
         self._write(name, hashlib.sha256(data).digest() + data)
-        _tell(name)
+        self._tell(name)
 
     def _name(self, signature: Any, codegen: Any) -> str:
-        cells = [cell.cell_contents for cell in self._law.__closure__ or ()]
         depends = (
             signature,
+            digest_of_types(signature),
             codegen.magic_tuple(),
             importlib.import_module("numba").__version__,
             sys.version_info[:2],
-            _digest_of(self._law.__code__.co_filename),
-            self._law.__code__.co_firstlineno,
-            _numba("serialize").dumps(cells) if cells else b"",
+            digest_of(self._law),
+            self._options,
+            _how_laws_are_compiled(),
         )
         digest = hashlib.sha256(repr(depends).encode()).hexdigest()[:16]
         return f"{self._law.__module__}/{self._law.__name__}-{digest}{ENDING}"
@@ -124,6 +125,7 @@ class LawCache:
         if not data and self._folder is not None:
             with contextlib.suppress(OSError):
                 data = (self._folder / name).read_bytes()
+                mark_used(self._folder / name)
         return data[_SEAL:] if hashlib.sha256(data[_SEAL:]).digest() == data[:_SEAL] else b""
 
     def _write(self, name: str, data: bytes) -> None:
@@ -135,10 +137,11 @@ class LawCache:
         in_memory[name] = data
         return None
 
-
-def _tell(name: str) -> None:
-    for observer in observers:
-        observer(name)
+    def _tell(self, name: str) -> None:
+        if self._folder is not None:
+            mark_version(self._folder, self._law.__module__)
+        for observer in observers:
+            observer(name)
 
 
 def _result(data: bytes, signature: Any, target: Any) -> Any:
@@ -155,5 +158,5 @@ def _numba(module: str) -> Any:
 
 
 @functools.cache
-def _digest_of(source: str) -> str:
-    return hashlib.sha256(Path(source).read_bytes()).hexdigest()
+def _how_laws_are_compiled() -> str:
+    return hashlib.sha256(Path(__file__).with_name("law.py").read_bytes()).hexdigest()

@@ -1,9 +1,8 @@
-"""Folder of the laws' machine code: its name is a digest of all laws.
+"""Folder of the laws' machine code, which all versions of the laws share.
 
-Numba's own cache checks only the file that defines a function, not the files of the functions that it calls. If a law
-changed in one file, the cached code of its callers would still contain the old version. The machine code is therefore
-in a folder whose name is a digest of all laws. This folder is inside `NUMBA_CACHE_DIR` if that variable is set,
-otherwise inside the user's cache folder. Checkouts with the same laws share it.
+The name of each file has a digest of everything on which its content depends (`law_digest.py`), so that a new version
+of the program compiles again only what has changed. The folder is inside `NUMBA_CACHE_DIR` if that variable is set,
+otherwise inside the user's cache folder.
 """
 
 from __future__ import annotations
@@ -11,6 +10,7 @@ from __future__ import annotations
 import contextlib
 import functools
 import hashlib
+import os
 import re
 import shutil
 import time
@@ -20,10 +20,14 @@ from aftdeck.folders import user_folder
 
 ENDING = ".law"
 """End of the names of the files with machine code."""
+_NAME = "laws"
+_VERSIONS = "versions"
+"""Folder with an empty file for each version of the laws and each package whose laws were compiled in this version."""
 _DECLARED = re.compile(rb"^@(elementary_|large_)?law$", re.MULTILINE)
 """Decorator of a law, in a source file."""
-_KEPT = 30 * 86_400.0
-"""Time after which unused machine code of another version of the laws is deleted [s]."""
+_DAY = 86_400.0
+_KEPT = 30 * _DAY
+"""Time after which a file that no process has used is deleted [s]."""
 
 
 def compiled_before(package: str = "") -> bool:
@@ -33,7 +37,7 @@ def compiled_before(package: str = "") -> bool:
         package: name of the package whose laws count, such as ``aftdeck.visual``; if it is empty, all laws count.
     """
     folder = cache_folder()
-    return folder is not None and any(folder.glob(f"{package}*/*{ENDING}"))
+    return folder is not None and any((folder / _VERSIONS).glob(f"{state_of_the_laws()}-{package}*"))
 
 
 @functools.cache
@@ -51,19 +55,45 @@ def state_of_the_laws() -> str:
 
 @functools.cache
 def cache_folder() -> Path | None:
-    """Return the cache folder for this version of the laws; None if no folder can be written.
-
-    Also delete the folders of other versions that have been unused for more than `_KEPT`.
-    """
-    name = f"laws-{state_of_the_laws()}"
-    home = user_folder("cache", name)
+    """Return the cache folder; None if no folder can be written. Once a day, delete what has been unused for long."""
+    home = user_folder("cache", _NAME)
     if home is None:
         return None
-    folder = home / name
+    folder = home / _NAME
     with contextlib.suppress(OSError):
         folder.mkdir(exist_ok=True)
-        folder.touch()
-        for other in home.glob("laws-*"):
-            if time.time() - other.stat().st_mtime > _KEPT:
-                shutil.rmtree(other, ignore_errors=True)
+        if _is_old(folder, _DAY):
+            folder.touch()
+            _clean(folder)
     return folder
+
+
+@functools.cache
+def mark_version(folder: Path, module: str) -> None:
+    """Note that a law of a module was compiled, or its machine code read, in this version of the laws."""
+    with contextlib.suppress(OSError):
+        (folder / _VERSIONS).mkdir(parents=True, exist_ok=True)
+        (folder / _VERSIONS / f"{state_of_the_laws()}-{module}").touch()
+
+
+def mark_used(path: Path) -> None:
+    """Note that a file is still used, once a day."""
+    with contextlib.suppress(OSError):
+        if _is_old(path, _DAY):
+            os.utime(path)
+
+
+def _is_old(path: Path, age: float) -> bool:
+    return time.time() - path.stat().st_mtime > age
+
+
+def _clean(folder: Path) -> None:
+    """Delete the files that no process has used for `_KEPT`, and the folders of earlier programs, one a version."""
+    for path in folder.rglob("*"):
+        with contextlib.suppress(OSError):
+            if path.is_file() and _is_old(path, _KEPT):
+                path.unlink()
+    for path in folder.parent.glob(f"{_NAME}-*"):
+        with contextlib.suppress(OSError):
+            if _is_old(path, _KEPT):
+                shutil.rmtree(path, ignore_errors=True)
