@@ -70,8 +70,9 @@ LAYERS = (
     ("report",),
     ("export",),
     ("operators",),
-    ("study", "gym"),
+    ("study",),
     ("station",),
+    ("gym",),
     ("cli",),
     ("__init__", "__main__"),
 )
