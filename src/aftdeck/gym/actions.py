@@ -16,8 +16,11 @@ def shaped(given: object, controls: Sequence[Control], count: int) -> Floats32:
     Raises:
         InputError: they have another shape.
     """
-    # a copy of an array that cannot be written, such as one of JAX: the laws are compiled for those that can be
-    actions: Floats32 = np.require(given, np.float32, ["C", "W"])
+    actions = np.ascontiguousarray(given, dtype=np.float32)
+    if (
+        not actions.flags.writeable
+    ):  # as NumPy sees an array of JAX; the laws are compiled for those that can be written
+        actions = actions.copy()
     expected = (count, len(controls))
     if actions.shape != expected and not (count == 1 and actions.shape == expected[1:]):
         raise InputError(f"action: got shape {actions.shape}, expected {expected[1:] if count == 1 else expected}")
