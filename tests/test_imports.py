@@ -71,8 +71,9 @@ LAYERS = (
     ("report",),
     ("export",),
     ("operators",),
-    ("study", "gym"),
+    ("study",),
     ("station",),
+    ("gym",),
     ("cli",),
     ("__init__", "__main__"),
 )

@@ -160,7 +160,6 @@ def test_random_policy_runs_for_many_steps_without_a_broken_episode(kind: type[M
     ("kind", "keywords", "message"),
     [
         (CaptureEnv, {"plant": "soft"}, "plant: got 'soft', expected 'kinematic', 'rigid', 'flexible'"),
-        (CaptureEnv, {"render_mode": "rgb_array"}, "render_mode: got 'rgb_array', expected None"),
         (CaptureEnv, {"scenario": "first-flight"}, "has no step for Capture; its steps are 'Move', 'Turn', 'Go home'"),
         (DockEnv, {"scenario": "tutorial"}, "scenario: 'tutorial' has no step for Dock; its steps are 'Look around'"),
     ],

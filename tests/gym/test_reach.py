@@ -134,7 +134,7 @@ def test_impossible_sticks_are_rejected_and_change_nothing(plant: str, action: F
     ("keywords", "message"),
     [
         ({"plant": "magic"}, "plant: got 'magic', expected 'kinematic', 'rigid', 'flexible'"),
-        ({"render_mode": "human"}, "render_mode: got 'human', expected None"),
+        ({"render_mode": "ansi"}, "render_mode: got 'ansi', expected 'rgb_array', 'human'"),
     ],
 )
 def test_unknown_keyword_values_are_rejected(keywords: dict[str, str], message: str) -> None:

@@ -85,19 +85,25 @@ test('a stick, the second step, a warning and another operator end the shot; not
   ];
   for (const end of ends) {
     const { opening } = begun();
-    opening.values(view(), false);
+    opening.values(view(), false, true);
     expect(isShot()).toBe(true);
-    opening.values(end, false);
+    opening.values(end, false, true);
     expect(isShot()).toBe(false);
   }
   const { opening } = begun();
-  opening.values(view({ flying: false, flier: '' }), true); // a window that is too narrow to fly only observes
+  opening.values(view({ flying: false, flier: '' }), true, true); // a window that is too narrow to fly only observes
   expect(isShot()).toBe(true);
+});
+
+test('a page whose address is for observing ends the shot', () => {
+  const { opening } = begun();
+  opening.values(view({ flying: false, flier: '' }), false, false);
+  expect(isShot()).toBe(false);
 });
 
 test('the words name the key of the first function of the step', () => {
   const { opening } = begun();
-  opening.values(view(), false);
+  opening.values(view(), false, true);
   expect(small(opening.element).textContent).toContain('hold -Z: up');
   expect(thingToDo([{ use: 'proceed', does: 'proceed' }], null)[0]?.text).toContain('press');
   expect(thingToDo([], [1, 2, 3])).toEqual([]);

@@ -1,4 +1,4 @@
-"""Check of an environment's actions; a stick or a switch outside its travel is rejected, not clipped."""
+"""Check of an environment's actions; a stick or a switch outside its travel is rejected or clipped."""
 
 from __future__ import annotations
 
@@ -17,10 +17,20 @@ def shaped(given: object, controls: Sequence[Control], count: int) -> Floats32:
         InputError: they have another shape.
     """
     actions = np.ascontiguousarray(given, dtype=np.float32)
+    if (
+        not actions.flags.writeable
+    ):  # as NumPy sees an array of JAX; the laws are compiled for those that can be written
+        actions = actions.copy()
     expected = (count, len(controls))
     if actions.shape != expected and not (count == 1 and actions.shape == expected[1:]):
         raise InputError(f"action: got shape {actions.shape}, expected {expected[1:] if count == 1 else expected}")
     return actions.reshape(expected)
+
+
+def clipped(given: object) -> Floats32:
+    """Return actions whose finite numbers are in [-1, 1]: those beyond are at the end of their travel."""
+    actions = np.array(given, dtype=np.float32)
+    return np.clip(actions, -1.0, 1.0, out=actions, where=np.isfinite(actions))
 
 
 def outside(actions: Floats32, controls: Sequence[Control]) -> InputError | None:
@@ -35,9 +45,9 @@ def outside(actions: Floats32, controls: Sequence[Control]) -> InputError | None
         return None
     row, column = wrong[0].tolist()
     where = f" in environment {row}" if len(actions) > 1 else ""
+    remedy = "; with clip_actions=True, the environment clips it" if np.isfinite(actions[row, column]) else ""
     return InputError(
-        f"action: {controls[column].name} is {actions[row, column]:g}{where}, expected a number in [-1, 1]; "
-        "gymnasium.wrappers.ClipAction clips the actions of a policy"
+        f"action: {controls[column].name} is {actions[row, column]:g}{where}, expected a number in [-1, 1]{remedy}"
     )
 
 

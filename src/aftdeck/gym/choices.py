@@ -50,13 +50,15 @@ def no_options(options: object, allowed: Iterable[str] = ()) -> None:
             raise InputError(f"options: got {short(name)}, expected {' or '.join(map(repr, names)) or 'no options'}")
 
 
-def no_rendering(render_mode: object) -> None:
-    """Check that no rendering is asked for.
+def rendered(render_mode: object, modes: Iterable[_T]) -> _T | None:
+    """Return the render mode; None for an environment that shows nothing.
 
     Raises:
-        InputError: it is.
+        InputError: the mode is not allowed.
     """
-    if render_mode is not None:
-        raise InputError(
-            f"render_mode: got {short(render_mode)}, expected None; only `aftdeck.gym.lerobot` draws pictures"
-        )
+    return None if render_mode is None else one_of("render_mode", render_mode, modes)
+
+
+def not_rendered() -> InputError:
+    """Return the error about a picture of an environment that was made without pictures."""
+    return InputError("render: the environment was made without pictures; make it with render_mode='rgb_array'")

@@ -7,6 +7,7 @@ from collections.abc import Iterator, Sequence
 
 from aftdeck.gym.mission import definition as mission
 from aftdeck.gym.reach import definition as reach
+from aftdeck.gym.reach.picture import CAMERA
 from aftdeck.gym.terms import Control, Observed, Rewarded
 from aftdeck.kinematics.arm import load_arm
 from aftdeck.made_tables import renew_file
@@ -19,14 +20,14 @@ def tables() -> str:
 
 def _lines() -> Iterator[str]:
     yield "### Environments\n"
-    yield "| environment | built-in scenario | task | step | time limit |\n|---|---|---|---|---|"
+    yield "| environment | built-in scenario | task | step | time limit | usual camera |\n|---|---|---|---|---|---|"
     task = (
         f"Move the tip within {reach.NEAR * 100.0:.1f} cm and {_degrees(reach.NEAR_ANGLE)} deg of a random pose, in "
         "ORB UNL."
     )
-    yield f"| `{reach.ID}` | | {task} | {reach.PERIOD:g} s | {reach.MOST_STEPS} steps |"
+    yield f"| `{reach.ID}` | | {task} | {reach.PERIOD:g} s | {reach.MOST_STEPS} steps | `{CAMERA}` |"
     for one in mission.MISSIONS.values():
-        limit = f"{mission.PERIOD:g} s | {one.most_steps} steps"
+        limit = f"{mission.PERIOD:g} s | {one.most_steps} steps | `{one.cameras[0]}`"
         yield f"| `{one.id}` | `{one.scenario}` | {one.task} | {limit} |"
     yield "\n### Reach: actions\n"
     yield from _controls(reach.CONTROLS)

@@ -36,8 +36,6 @@ TASKS: dict[str, type[MissionEnv]] = {env.mission.name: env for env in (CaptureE
 """Environments by their names. Reach is not one of them: no picture shows its goal."""
 COLUMNS = (*STICKS, "rate", "effector")
 """Columns of the actions; only Capture has the last one."""
-CAMERAS = {"Capture": ("WR", "ELB"), "Extract": ("F", "A"), "Dock": ("W", "C")}
-"""Default cameras of each environment."""
 
 _LIMIT = 1000.0
 """Greatest magnitude of a number of the state; assumed: the arm is 15 m long."""
@@ -51,7 +49,7 @@ class LerobotEnv(gymnasium.Env[Observation, Floats32]):
 
     Args:
         task: ``Capture``, ``Extract`` or ``Dock``.
-        cameras: cameras of the pictures; None for those of `CAMERAS`, () for no pictures.
+        cameras: cameras of the pictures; None for those of `Mission.cameras`, () for no pictures.
         size: width and height of a picture [pixels].
         scenario: name of a built-in scenario, or path of a scenario file; None for that of the environment.
         plant: ``kinematic``, ``rigid`` or ``flexible``.
@@ -82,11 +80,11 @@ class LerobotEnv(gymnasium.Env[Observation, Floats32]):
     ) -> None:
         self.render_mode = one_of("render_mode", render_mode, ["rgb_array"])
         self.task = one_of("task", task, TASKS)
-        self.mission_env = TASKS[self.task](scenario, plant)
+        self.mission_env = TASKS[self.task](scenario, plant, clip_actions=True)
         mission, flown = self.mission_env.mission, self.mission_env.simulation.scenario
         self.task_description = mission.task
         self._max_episode_steps = mission.most_steps
-        pictures = names_of(CAMERAS[self.task] if cameras is None else cameras)
+        pictures = names_of(mission.cameras if cameras is None else cameras)
         self._painter = Painter(flown, pictures, size)
         self._light = condition_named(flown.lighting.condition)
         self._reader, self._steps = StateReader(flown), 0
@@ -116,9 +114,9 @@ class LerobotEnv(gymnasium.Env[Observation, Floats32]):
             action: one number for each of `action_names`.
 
         Raises:
-            InputError: the action has another shape, or is not a number.
+            InputError: the action has another shape, or is not finite.
         """
-        _, reward, over, _, info = self.mission_env.step(np.clip(action, -1.0, 1.0))
+        _, reward, over, _, info = self.mission_env.step(action)
         self._steps += 1
         late = not over and self._steps >= self._max_episode_steps
         return self._observed(), reward, over, late, info | {"task": self.task}

@@ -6,8 +6,6 @@ A recording contains the scenario of its run. The scenario of an episode is that
 
 from __future__ import annotations
 
-import time
-import tomllib
 from pathlib import Path
 from typing import Any
 
@@ -15,28 +13,13 @@ import gymnasium
 from msgspec.structs import replace
 
 from aftdeck.errors import InputError, RecordingError
-from aftdeck.files import Where
 from aftdeck.gym.lerobot import LerobotEnv
 from aftdeck.gym.mission.env import MissionEnv
+from aftdeck.gym.mission.episode import started
 from aftdeck.gym.terms import Floats32
-from aftdeck.recording.bundle import opening, scenario_of
 from aftdeck.recording.writer import Recorder
-from aftdeck.scenario.model import Scenario, Start
-from aftdeck.scenario.task_step import TaskStep
 from aftdeck.simulation.run import Simulation
 from aftdeck.units import short
-
-
-def started(scenario: Scenario, start: Start, step: TaskStep) -> Scenario:
-    """Return a scenario that begins at a start at rest, and whose task is one step; its `changes` contain both."""
-    telescope = scenario.arm.model.telescope is not None
-    initial: dict[str, object] = {"joints": start.angles.tolist()} | ({"stand": start.stand} if telescope else {})
-    if (held := start.grasped) is not None:
-        grasped = {"cargo": scenario.payloads[held.payload].name, "joints": held.angles.tolist()}
-        initial["grasped"] = grasped | ({"stand": held.stand} if telescope else {})
-    steps = tomllib.loads(scenario.text)["step"]
-    changes: dict[Where, object] = {("initial",): initial, ("step",): [steps[scenario.steps.index(step)]]}
-    return scenario_of(opening(scenario, scenario.seed, time.time_ns()), changes)
 
 
 class RecordEpisodes(gymnasium.Wrapper[Any, Floats32, Any, Floats32]):

@@ -93,15 +93,15 @@ export class Opening {
       document.addEventListener(used, () => this.end(), options);
   }
 
-  /** Ends the shot when a stick is moved, the second step begins or a warning is lit, or where another page flies. */
-  values({ frame, hand, flying, flier }: View, tooNarrow: boolean): void {
+  /** Ends the shot when a stick is moved, the second step begins or a warning is lit, or where another page flies or this page may not. */
+  values({ frame, hand, flying, flier }: View, tooNarrow: boolean, mayFly: boolean): void {
     if (!this.first) return;
     if (this.pieces.length === 0)
       this.pieces = thingToDo(this.welcome.steps[0]?.uses ?? [], frame.display.to_go?.translation ?? null);
     this.toDo.set(tooNarrow ? [{ kind: 'text', text: TOO_NARROW_WORDS }] : this.pieces);
     const { task, lamps } = frame.display;
     const alarmed = lamps.some(({ level }) => level === 'warning');
-    if (!isZero(hand) || task?.at !== 0 || alarmed || (!flying && flier !== '')) this.end();
+    if (!isZero(hand) || task?.at !== 0 || alarmed || (!flying && (flier !== '' || !mayFly))) this.end();
   }
 
   dispose(): void {

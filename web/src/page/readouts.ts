@@ -50,7 +50,7 @@ export class Readouts implements Drawn {
     const lamps = [...inUnits(view), ...this.ownLamps(measured.delays, now)];
     parts.spine.show(lamps, test, view.controllers.names);
     parts.task.values(view);
-    parts.opening.values(view, parts.control.tooNarrow);
+    parts.opening.values(view, parts.control.tooNarrow, role.may_fly);
     parts.calm.values(view, {
       lamps: lamps.filter(({ level, standing }) => level !== 'info' && !standing).map(({ name }) => name),
       selected: parts.groups.mode.inView(),

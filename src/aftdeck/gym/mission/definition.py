@@ -45,6 +45,7 @@ class Mission(NamedTuple):
         contact_ends: whether a detrimental contact ends the episode, without success.
         most_steps: greatest number of steps of an episode.
         task: the task, for the tables.
+        cameras: cameras that see the task in the built-in scenario; the first one is that of `render`.
     """
 
     name: str
@@ -54,6 +55,7 @@ class Mission(NamedTuple):
     contact_ends: bool
     most_steps: int
     task: str
+    cameras: tuple[str, ...]
 
     @property
     def id(self) -> str:
@@ -90,6 +92,7 @@ CAPTURE = Mission(
     False,
     900,
     "Capture the payload in the bay; the end effector is above its grapple fixture.",
+    ("WR", "ELB"),
 )
 EXTRACT = Mission(
     "Extract",
@@ -99,6 +102,7 @@ EXTRACT = Mission(
     True,
     600,
     "Lift the held payload out of its berth, clear of the walls of the bay, without a detrimental contact.",
+    ("F", "A"),
 )
 DOCK = Mission(
     "Dock",
@@ -108,6 +112,7 @@ DOCK = Mission(
     False,
     900,
     "Bring the held payload from in front of the docking port into the port, which latches by itself.",
+    ("W", "C"),
 )
 MISSIONS = {mission.id: mission for mission in (CAPTURE, EXTRACT, DOCK)}
 """Environments by their ids."""

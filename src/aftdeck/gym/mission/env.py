@@ -3,23 +3,27 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from functools import lru_cache
 from pathlib import Path
-from typing import Any, ClassVar
+from typing import TYPE_CHECKING, Any, ClassVar
 
 import gymnasium
 
 from aftdeck.errors import InputError, ScenarioError
+from aftdeck.export.pictures import Pixels
 from aftdeck.files import Where
-from aftdeck.gym.actions import checked
-from aftdeck.gym.choices import PLANTS, no_options, no_rendering, one_of
+from aftdeck.gym.actions import checked, clipped
+from aftdeck.gym.choices import PLANTS, no_options, not_rendered, one_of, rendered
 from aftdeck.gym.mission import definition
 from aftdeck.gym.mission.actions import inputs_of, repeats_of
 from aftdeck.gym.mission.definition import CAPTURE, DOCK, EXTRACT, Mission
+from aftdeck.gym.mission.episode import started
 from aftdeck.gym.mission.observation import Observer
 from aftdeck.gym.mission.starts import Starts, base_of, step_of
+from aftdeck.gym.picture import HEIGHT, MODES, WIDTH, Pictures
 from aftdeck.gym.terms import Floats32, action_space
 from aftdeck.scenario.load import load_scenario
-from aftdeck.scenario.model import Start
+from aftdeck.scenario.model import Scenario, Start
 from aftdeck.scenario.schema import Plant
 from aftdeck.scenario.task_step import TaskStep
 from aftdeck.simulation.frame import Frame
@@ -27,6 +31,10 @@ from aftdeck.simulation.inputs import Inputs
 from aftdeck.simulation.run import Simulation
 from aftdeck.task.reached import Since, reached
 from aftdeck.task.remaining import Aims, Remaining
+from aftdeck.visual.picture import Look
+
+if TYPE_CHECKING:
+    from aftdeck.gym.live import LiveStation
 
 _TRIES = 100
 """Greatest number of random starts that are tried until one has no contact."""
@@ -41,26 +49,44 @@ class MissionEnv(gymnasium.Env[Floats32, Floats32]):
     Args:
         scenario: name of a built-in scenario, or path of a scenario file, whose task has a step of this kind.
         plant: ``kinematic``, ``rigid`` or ``flexible``.
-        render_mode: only None.
+        render_mode: ``rgb_array``: `render` returns the picture of a camera. ``human``: pages of the station show the
+            episode, in real time. None: neither.
+        clip_actions: whether a stick or a switch beyond [-1, 1] is set to the end of its travel; otherwise it is
+            rejected.
+        camera: camera of `render`; None for a usual one.
+        look: look of its pictures: ``colour``, or ``1972`` for greys and raster lines.
+        width: width of its pictures [pixels].
+        height: height of its pictures [pixels].
 
     Attributes:
         start: random start of the present episode; None before the first.
         stepped: function that is called with the simulation after each control step of `step`; None for none.
+        station: station that shows the episodes; None unless the mode is ``human``.
 
     Raises:
         InputError: an argument is not allowed, or the scenario has no such step; the message states what is allowed.
         ScenarioError: there is no such scenario, or its file has errors.
     """
 
-    metadata = {"render_modes": []}  # noqa: RUF012  (Gymnasium declares it as a variable of the instance)
+    # Gymnasium declares it as a variable of the instance
+    metadata = {"render_modes": list(MODES), "render_fps": round(1.0 / definition.PERIOD)}  # noqa: RUF012
     mission: ClassVar[Mission]
 
     def __init__(
-        self, scenario: str | Path | None = None, plant: Plant = "kinematic", render_mode: str | None = None
+        self,
+        scenario: str | Path | None = None,
+        plant: Plant = "kinematic",
+        render_mode: str | None = None,
+        *,
+        clip_actions: bool = False,
+        camera: str | None = None,
+        look: Look = "colour",
+        width: int = WIDTH,
+        height: int = HEIGHT,
     ) -> None:
-        no_rendering(render_mode)
-        changes: dict[Where, object] = {("plant",): one_of("plant", plant, PLANTS)}
-        loaded = load_scenario(self.mission.scenario if scenario is None else scenario, changes)
+        self.render_mode, self._clips = rendered(render_mode, MODES), clip_actions
+        one_of("plant", plant, PLANTS)
+        loaded = _built_in(self.mission.scenario, plant) if scenario is None else _loaded(scenario, plant)
         self._repeats = repeats_of(loaded)
         self._step = step_of(self.mission, loaded)
         base = base_of(loaded, self._step)
@@ -75,6 +101,14 @@ class MissionEnv(gymnasium.Env[Floats32, Floats32]):
         self._begun = False
         self.start: Start | None = None
         self.stepped: Callable[[Simulation], None] | None = None
+        self._pictures: Pictures | None = None
+        self.station: LiveStation | None = None
+        if self.render_mode == "rgb_array":
+            self._pictures = Pictures(loaded, camera, self.mission.cameras[:1], look, width, height)
+        elif self.render_mode == "human":
+            from aftdeck.gym.live import LiveStation  # noqa: PLC0415  (a web server, which no other mode needs)
+
+            self.station = LiveStation()
 
     @property
     def simulation(self) -> Simulation:
@@ -105,6 +139,9 @@ class MissionEnv(gymnasium.Env[Floats32, Floats32]):
         self._since = Since(frame.position, frame.orientation)
         self._left = self._aims.remaining(frame, self._step)
         self._begun = True
+        if self.station is not None and self.start is not None:
+            self.station.begin(started(self._sim.scenario, self.start, self._step))
+            self.station.step(self._first_inputs())
         return self._observer.of(frame, self._left), {"is_success": False}
 
     def step(self, action: Floats32) -> tuple[Floats32, float, bool, bool, dict[str, Any]]:
@@ -114,14 +151,17 @@ class MissionEnv(gymnasium.Env[Floats32, Floats32]):
             action: one number in [-1, 1] for each control.
 
         Raises:
-            InputError: the action has another shape, or a control is outside [-1, 1]; nothing has changed.
+            InputError: the action has another shape, or a control is not a number in [-1, 1]; nothing has changed.
             SimulationError: the state is no longer finite.
         """
         if not self._begun:
             raise InputError("step: got a call before the first reset, expected reset() first")
-        inputs = inputs_of(self.mission, checked(action, self.mission.controls))
+        values = checked(clipped(action) if self._clips else action, self.mission.controls)
+        inputs = inputs_of(self.mission, values)
         for _ in range(self._repeats):
             self._sim.advance(inputs)
+            if self.station is not None:
+                self.station.step(inputs)
             if self.stepped is not None:
                 self.stepped(self._sim)
         frame = self._sim.look()
@@ -132,6 +172,23 @@ class MissionEnv(gymnasium.Env[Floats32, Floats32]):
         reward = _reward(before, self._left, contact, success)
         over = success or (contact and self.mission.contact_ends)
         return self._observer.of(frame, self._left), reward, over, False, {"is_success": success}
+
+    def render(self) -> Pixels | None:
+        """Return the picture (height, width, 3) of the camera; None if the mode is ``human``.
+
+        Raises:
+            InputError: the environment was made without pictures.
+        """
+        if self._pictures is not None:
+            return self._pictures.draw(self._sim.look())
+        if self.station is None:
+            raise not_rendered()
+        return None
+
+    def close(self) -> None:
+        """End the station, if there is one."""
+        if self.station is not None:
+            self.station.close()
 
     def _begin(self) -> Frame:
         """Restart the simulation at a random start without a contact, and return its first frame."""
@@ -155,6 +212,17 @@ class MissionEnv(gymnasium.Env[Floats32, Floats32]):
     def _first_inputs(self) -> Inputs:
         """Return the inputs of the first control step: sticks centred, mode of the task's step, rate setting coarse."""
         return Inputs(mode=self._step.mode, rate="coarse")
+
+
+def _loaded(scenario: str | Path, plant: Plant) -> Scenario:
+    changes: dict[Where, object] = {("plant",): plant}
+    return load_scenario(scenario, changes)
+
+
+@lru_cache(maxsize=4)
+def _built_in(name: str, plant: Plant) -> Scenario:
+    """Return a built-in scenario, the same for all environments of a process: its picture takes seconds to prepare."""
+    return _loaded(name, plant)
 
 
 def _detrimental(frame: Frame) -> bool:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from aftdeck.arrays import Array
+from aftdeck.gym.aligned import aligned_floats
 from aftdeck.gym.mission.definition import observations
 from aftdeck.gym.terms import Floats32, observation_space
 from aftdeck.scenario.model import Scenario
@@ -50,5 +51,6 @@ class Observer:
         """
         known = Known(frame, self._scenario, along=seen_along(frame, left, self._sticks.in_l(frame)))
         values = np.array([value for name in self._names for value in named(name).values(known)], dtype=np.float64)
-        scaled: Array = np.clip((values - self._zero) / self._one, self.space.low, self.space.high)
-        return scaled.astype(np.float32)
+        observation = aligned_floats(len(values))
+        observation[:] = np.clip((values - self._zero) / self._one, self.space.low, self.space.high)
+        return observation

@@ -10,6 +10,7 @@ from aftdeck.arrays import Array
 from aftdeck.compiled_first import compiled_first
 from aftdeck.frames import Pose
 from aftdeck.gym.actions import outside, shaped
+from aftdeck.gym.aligned import aligned_floats
 from aftdeck.gym.philox import MASK
 from aftdeck.gym.reach import definition as task
 from aftdeck.gym.reach import kernel
@@ -103,7 +104,7 @@ class ReachBatch:
 
     def begin(self, chosen: kernel.Flags) -> Floats32:
         """Begin the next episode in the chosen environments (n,); return all observations (n, OBSERVATIONS)."""
-        observations = np.empty((self._count, OBSERVATIONS), dtype=np.float32)
+        observations = aligned_floats(self._count, OBSERVATIONS)
         kernel.begin_all(self._steering, self._task, self._blocks, chosen, observations, self._work)
         return observations
 
@@ -119,7 +120,7 @@ class ReachBatch:
         """
         n = self._count
         sticks = shaped(actions, task.CONTROLS, n)
-        observations = np.empty((n, OBSERVATIONS), dtype=np.float32)
+        observations = aligned_floats(n, OBSERVATIONS)
         final = np.empty_like(observations) if autoreset == SAME_STEP else self._no_final
         rewards = np.empty(n)
         terminated, truncated, reached = np.empty(n, np.bool_), np.empty(n, np.bool_), np.empty(n, np.bool_)

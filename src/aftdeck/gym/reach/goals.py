@@ -6,6 +6,7 @@ import math
 
 import numpy as np
 
+from aftdeck.arrays import Array
 from aftdeck.files import Changes
 from aftdeck.frames import Pose
 from aftdeck.gym.reach import definition as task
@@ -13,6 +14,7 @@ from aftdeck.gym.reach.batch import ReachBatch
 from aftdeck.gym.reach.simulated import SCENARIO
 from aftdeck.scenario.load import find_scenario, parse_scenario
 from aftdeck.scenario.model import Scenario
+from aftdeck.scenario.schema import Plant
 
 GOALS = 20
 """Number of goals in a run."""
@@ -42,6 +44,13 @@ def goals_scenario(seed: int, changes: Changes | None = None) -> Scenario:
     steps = [_step(number, goal) for number, goal in enumerate(batch.goals(), 1)]
     source = find_scenario(SCENARIO)
     return parse_scenario(source.text + "".join(steps), "reach", source.file, source.folder, changes)
+
+
+def episode_scenario(angles: Array, goal: Pose, plant: Plant) -> Scenario:
+    """Return the scenario of an episode: it begins at joint angles (6,) [rad], and its task is one goal."""
+    source, start = find_scenario(SCENARIO), {"joints": angles.tolist()}
+    changes: Changes = {("plant",): plant, ("initial",): start}
+    return parse_scenario(source.text + _step(1, goal), "reach", source.file, source.folder, changes)
 
 
 def _step(number: int, goal: Pose) -> str:

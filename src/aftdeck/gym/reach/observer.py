@@ -10,6 +10,7 @@ import numpy as np
 from aftdeck.arms.load import ArmModel
 from aftdeck.arrays import Array
 from aftdeck.frames import Pose
+from aftdeck.gym.aligned import aligned_floats
 from aftdeck.gym.reach import definition as task
 from aftdeck.gym.terms import Floats32, observation_space
 from aftdeck.simulation.frame import Frame
@@ -63,7 +64,8 @@ class Observer:
             [to_orbiter @ shift, to_orbiter @ vector, to_orbiter @ twist[3:], to_orbiter @ twist[:3], angles, rates]
         )
         normalised = (values - self._middle) / self._one
-        observation = np.clip(normalised, self._space.low, self._space.high).astype(np.float32)
+        observation = aligned_floats(len(values))
+        observation[:] = np.clip(normalised, self._space.low, self._space.high)
         return Observation(observation, float(np.linalg.norm(shift)), math.sqrt(max(3.0 - trace, 0.0)))
 
     def in_frame(self, goal: Pose, frame: Frame) -> Observation:

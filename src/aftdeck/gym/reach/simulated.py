@@ -6,6 +6,7 @@ from pathlib import Path
 
 import numpy as np
 
+from aftdeck.arrays import Array
 from aftdeck.frames import Pose
 from aftdeck.gym.actions import checked
 from aftdeck.gym.reach import definition as task
@@ -42,6 +43,10 @@ class SimulatedReach:
         tip = self._sim.scenario.arm.forward(angles)
         observation, self._distance, self._chord = self._observer.of(self._goal, tip, angles, np.zeros(6), np.zeros(6))
         return observation
+
+    def now(self) -> tuple[Array, Pose]:
+        """As in `Reach`."""
+        return np.array(self._sim.look().angles), self._goal
 
     def step(self, action: object) -> tuple[Floats32, float, bool]:
         """Make one step with the sticks (6,); return the observation, the reward, and whether the goal is reached."""

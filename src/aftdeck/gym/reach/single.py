@@ -2,19 +2,31 @@
 
 from __future__ import annotations
 
-from typing import Any, Protocol
+from typing import TYPE_CHECKING, Any, Protocol
 
 import gymnasium
 import numpy as np
 
+from aftdeck.arrays import Array
 from aftdeck.errors import InputError
-from aftdeck.gym.choices import PLANTS, no_options, no_rendering, one_of
+from aftdeck.export.pictures import Pixels
+from aftdeck.frames import Pose
+from aftdeck.gym.actions import checked, clipped
+from aftdeck.gym.choices import PLANTS, no_options, not_rendered, one_of, rendered
+from aftdeck.gym.picture import HEIGHT, MODES, WIDTH
 from aftdeck.gym.reach import definition
 from aftdeck.gym.reach.batch import ReachBatch
+from aftdeck.gym.reach.goals import episode_scenario
 from aftdeck.gym.reach.layout import DISABLED
+from aftdeck.gym.reach.picture import ReachPictures
 from aftdeck.gym.reach.simulated import SimulatedReach
 from aftdeck.gym.terms import Floats32, action_space, observation_space
 from aftdeck.scenario.schema import Plant
+from aftdeck.simulation.inputs import Inputs
+from aftdeck.visual.picture import Look
+
+if TYPE_CHECKING:
+    from aftdeck.gym.live import LiveStation
 
 
 class Reach(Protocol):
@@ -25,6 +37,9 @@ class Reach(Protocol):
 
     def step(self, action: object) -> tuple[Floats32, float, bool]:
         """Make one step with the sticks (6,); return the observation, the reward, and whether the goal is reached."""
+
+    def now(self) -> tuple[Array, Pose]:
+        """Return the joint angles (6,) [rad], and the pose in L that the tip has to reach."""
 
 
 def row(observations: Floats32) -> Floats32:
@@ -48,27 +63,59 @@ class KinematicReach:
         done = self._batch.step(action, DISABLED)
         return row(done.observations), float(done.rewards[0]), bool(done.terminated[0])
 
+    def now(self) -> tuple[Array, Pose]:
+        """As in `Reach`."""
+        return self._batch.angles()[0], self._batch.goals()[0]
+
 
 class ReachEnv(gymnasium.Env[Floats32, Floats32]):
     """Move the tip of the Shuttle's arm to a random pose with the hand controllers, in the mode ORB UNL.
 
     Args:
         plant: ``kinematic``, ``rigid`` or ``flexible``.
-        render_mode: only None.
+        render_mode: ``rgb_array``: `render` returns the picture of a camera, with the axes of goal and tip. ``human``:
+            pages of the station show the episode, in real time. None: neither.
+        clip_actions: whether a stick beyond [-1, 1] is set to the end of its travel; otherwise it is rejected.
+        camera: camera of `render`; None for the engineering view.
+        look: look of its pictures: ``colour``, or ``1972`` for greys and raster lines.
+        width: width of its pictures [pixels].
+        height: height of its pictures [pixels].
+
+    Attributes:
+        station: station that shows the episodes; None unless the mode is ``human``.
 
     Raises:
         InputError: an argument is not allowed; the message states the allowed values.
     """
 
-    metadata = {"render_modes": []}  # noqa: RUF012  (Gymnasium declares it as a variable of the instance)
+    # Gymnasium declares it as a variable of the instance
+    metadata = {"render_modes": list(MODES), "render_fps": 1.0 / definition.PERIOD}  # noqa: RUF012
 
-    def __init__(self, plant: Plant = "kinematic", render_mode: str | None = None) -> None:
-        no_rendering(render_mode)
+    def __init__(
+        self,
+        plant: Plant = "kinematic",
+        render_mode: str | None = None,
+        *,
+        clip_actions: bool = False,
+        camera: str | None = None,
+        look: Look = "colour",
+        width: int = WIDTH,
+        height: int = HEIGHT,
+    ) -> None:
+        self.render_mode, self._clips = rendered(render_mode, MODES), clip_actions
         self.observation_space = observation_space(definition.OBSERVATIONS)
         self.action_space = action_space(definition.CONTROLS)
-        chosen = one_of("plant", plant, PLANTS)
-        self._reach: Reach = KinematicReach() if chosen == "kinematic" else SimulatedReach(chosen)
+        self._plant = one_of("plant", plant, PLANTS)
+        self._reach: Reach = KinematicReach() if self._plant == "kinematic" else SimulatedReach(self._plant)
         self._begun = False
+        self._pictures: ReachPictures | None = None
+        self.station: LiveStation | None = None
+        if self.render_mode == "rgb_array":
+            self._pictures = ReachPictures(camera, look, width, height)
+        elif self.render_mode == "human":
+            from aftdeck.gym.live import LiveStation  # noqa: PLC0415  (a web server, which no other mode needs)
+
+            self.station = LiveStation()
 
     def reset(
         self, *, seed: int | None = None, options: dict[str, Any] | None = None
@@ -78,15 +125,39 @@ class ReachEnv(gymnasium.Env[Floats32, Floats32]):
         no_options(options)
         key = self.np_random_seed if seed is not None or not self._begun else None
         self._begun = True
-        return self._reach.begin(key), {"is_success": False}
+        observation = self._reach.begin(key)
+        if self.station is not None:
+            self.station.begin(episode_scenario(*self._reach.now(), self._plant))
+        return observation, {"is_success": False}
 
     def step(self, action: Floats32) -> tuple[Floats32, float, bool, bool, dict[str, Any]]:
         """Make one step with the sticks (6,), each in [-1, 1].
 
         Raises:
-            InputError: the action has another shape, or a stick is outside [-1, 1]; nothing has changed.
+            InputError: the action has another shape, or a stick is not a number in [-1, 1]; nothing has changed.
         """
         if not self._begun:
             raise InputError("step: got a call before the first reset, expected reset() first")
-        observation, reward, reached = self._reach.step(action)
+        sticks = clipped(action) if self._clips else action
+        observation, reward, reached = self._reach.step(sticks)
+        if self.station is not None:
+            x, y, z, roll, pitch, yaw = checked(sticks, definition.CONTROLS)
+            self.station.step(Inputs(translation=(x, y, z), rotation=(roll, pitch, yaw)))
         return observation, reward, reached, False, {"is_success": reached}
+
+    def render(self) -> Pixels | None:
+        """Return the picture (height, width, 3) of the camera; None if the mode is ``human``.
+
+        Raises:
+            InputError: the environment was made without pictures.
+        """
+        if self._pictures is not None:
+            return self._pictures.at(*self._reach.now())
+        if self.station is None:
+            raise not_rendered()
+        return None
+
+    def close(self) -> None:
+        """End the station, if there is one."""
+        if self.station is not None:
+            self.station.close()

@@ -6,19 +6,25 @@ from collections.abc import Sequence
 from typing import Any, cast
 
 import numpy as np
+from gymnasium.utils.seeding import np_random
 from gymnasium.vector import AutoresetMode, VectorEnv
 from gymnasium.vector.utils import batch_space
 
 from aftdeck.arrays import Array
 from aftdeck.errors import InputError
-from aftdeck.gym.choices import PLANTS, no_options, no_rendering, one_of, whole
+from aftdeck.export.pictures import Pixels
+from aftdeck.gym.actions import clipped
+from aftdeck.gym.choices import PLANTS, no_options, not_rendered, one_of, rendered, whole
+from aftdeck.gym.picture import HEIGHT, WIDTH
 from aftdeck.gym.reach import definition
 from aftdeck.gym.reach.batch import ReachBatch, Step
 from aftdeck.gym.reach.kernel import Flags
 from aftdeck.gym.reach.layout import DISABLED, NEXT_STEP, SAME_STEP
+from aftdeck.gym.reach.picture import ReachPictures
 from aftdeck.gym.terms import Floats32, action_space, observation_space
 from aftdeck.scenario.schema import Plant
 from aftdeck.units import short
+from aftdeck.visual.picture import Look
 
 _MODES = {
     AutoresetMode.NEXT_STEP: NEXT_STEP,
@@ -40,14 +46,20 @@ class ReachVectorEnv(VectorEnv[Floats32, Floats32, Array]):
             action, and resets it with the reward 0. SAME_STEP: at once; ``infos["final_obs"]`` has the last
             observation. DISABLED: the caller resets it, with ``options={"reset_mask": mask}``.
         plant: only ``kinematic``; with masses use ``vectorization_mode="sync"`` or ``"async"``.
-        render_mode: only None.
+        render_mode: ``rgb_array``: `render` returns a picture of each environment. None: it returns none.
+        clip_actions: whether a stick beyond [-1, 1] is set to the end of its travel; otherwise it is rejected.
+        camera: camera of `render`; None for the engineering view.
+        look: look of its pictures: ``colour``, or ``1972`` for greys and raster lines.
+        width: width of its pictures [pixels].
+        height: height of its pictures [pixels].
 
     Raises:
         InputError: an argument is not allowed; the message states the allowed values.
     """
 
     metadata = {  # noqa: RUF012  (Gymnasium declares it as a variable of the instance)
-        "render_modes": [],
+        "render_modes": ["rgb_array"],
+        "render_fps": 1.0 / definition.PERIOD,
         "autoreset_mode": AutoresetMode.NEXT_STEP,
     }
 
@@ -58,8 +70,14 @@ class ReachVectorEnv(VectorEnv[Floats32, Floats32, Array]):
         autoreset_mode: AutoresetMode | str = AutoresetMode.NEXT_STEP,
         plant: Plant = "kinematic",
         render_mode: str | None = None,
+        *,
+        clip_actions: bool = False,
+        camera: str | None = None,
+        look: Look = "colour",
+        width: int = WIDTH,
+        height: int = HEIGHT,
     ) -> None:
-        no_rendering(render_mode)
+        self.render_mode, self._clips = rendered(render_mode, ["rgb_array"]), clip_actions
         if one_of("plant", plant, PLANTS) != "kinematic":
             raise InputError(
                 f"plant: got {plant!r}, expected 'kinematic' for the compiled batch; with masses use "
@@ -76,6 +94,7 @@ class ReachVectorEnv(VectorEnv[Floats32, Floats32, Array]):
         self._mode = _MODES[self.autoreset_mode]
         self._begun = False
         self._ended: Flags = np.zeros(self.num_envs, dtype=np.bool_)
+        self._pictures = ReachPictures(camera, look, width, height) if self.render_mode else None
 
     def reset(
         self, *, seed: int | Sequence[int | None] | None = None, options: dict[str, Any] | None = None
@@ -83,8 +102,8 @@ class ReachVectorEnv(VectorEnv[Floats32, Floats32, Array]):
         """Begin an episode in every environment, or in those of ``options["reset_mask"]``.
 
         Args:
-            seed: seed of the first environment; the others have the next seeds. Or one seed for each environment.
-                None: each environment begins its next episode.
+            seed: seed of the first environment; the others have the next seeds. Or one for each environment, as in the
+                single environment: with a seed, it begins the episodes of this seed; with None, its next episode.
             options: ``reset_mask``: (num_envs,) bool, the environments that begin an episode.
 
         Returns:
@@ -122,7 +141,7 @@ class ReachVectorEnv(VectorEnv[Floats32, Floats32, Array]):
                 f"step: the episodes of environments {ended} have ended; reset them first, with "
                 "options={'reset_mask': mask}"
             )
-        done = self._batch.step(actions, self._mode)
+        done = self._batch.step(clipped(actions) if self._clips else actions, self._mode)
         everywhere = np.ones(self.num_envs, dtype=np.bool_)
         infos: dict[str, Any] = {"is_success": done.reached, "_is_success": everywhere}
         if done.ended:
@@ -132,6 +151,17 @@ class ReachVectorEnv(VectorEnv[Floats32, Floats32, Array]):
             elif self._mode == DISABLED:
                 self._ended = over
         return done.observations, done.rewards, done.terminated, done.truncated, infos
+
+    def render(self) -> tuple[Pixels, ...]:
+        """Return the picture (height, width, 3) of each environment.
+
+        Raises:
+            InputError: the environments were made without pictures.
+        """
+        if self._pictures is None:
+            raise not_rendered()
+        places = zip(self._batch.angles(), self._batch.goals(), strict=True)
+        return tuple(self._pictures.at(angles, goal) for angles, goal in places)
 
     def _add_final(self, infos: dict[str, Any], done: Step, over: Flags) -> None:
         """Add the last observations and infos of episodes that have ended; the other infos belong to the next ones."""
@@ -156,7 +186,10 @@ class ReachVectorEnv(VectorEnv[Floats32, Floats32, Array]):
             raise InputError(f"seed: got {short(seed)}, expected a whole number or one for each environment")
         if len(seed) != self.num_envs:
             raise InputError(f"seed: got {len(seed)} seeds, expected one for each of {self.num_envs} environments")
-        return list(seed)
+        given = [None if key is None else whole(f"seed of environment {i}", key, 0) for i, key in enumerate(seed)]
+        if self._begun:
+            return list(given)
+        return [np_random()[1] if key is None else key for key in given]
 
     def _mask(self, mask: object) -> Flags:
         """Return the environments that begin an episode; all if there is no mask."""
@@ -168,7 +201,7 @@ class ReachVectorEnv(VectorEnv[Floats32, Floats32, Array]):
             raise InputError("reset_mask: got no True, expected at least one environment to reset")
         if not self._begun and not mask.all():
             raise InputError("reset_mask: got a part of the environments before the first reset of all")
-        return mask
+        return mask.copy()  # one that can be written, for which the laws are compiled
 
 
 def _mode(given: AutoresetMode | str) -> AutoresetMode:
