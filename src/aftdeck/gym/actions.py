@@ -17,9 +17,7 @@ def shaped(given: object, controls: Sequence[Control], count: int) -> Floats32:
         InputError: they have another shape.
     """
     actions = np.ascontiguousarray(given, dtype=np.float32)
-    if (
-        not actions.flags.writeable
-    ):  # as NumPy sees an array of JAX; the laws are compiled for those that can be written
+    if not actions.flags.writeable:  # such as one of JAX: the laws are compiled for arrays that can be written
         actions = actions.copy()
     expected = (count, len(controls))
     if actions.shape != expected and not (count == 1 and actions.shape == expected[1:]):

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from aftdeck.arrays import Array
-from aftdeck.gym.aligned import aligned_floats
+from aftdeck.gym.aligned import AlignedFloats
 from aftdeck.gym.mission.definition import observations
 from aftdeck.gym.terms import Floats32, observation_space
 from aftdeck.scenario.model import Scenario
@@ -41,6 +41,7 @@ class Observer:
         self._names = [one.reading for one in observed]  # names can be pickled, readings cannot
         self._scenario, self._sticks = scenario, StickAxes(scenario)
         self.space = observation_space(observed)
+        self._arrays = AlignedFloats(*self.space.shape)
 
     def of(self, frame: Frame, left: Remaining | None) -> Floats32:
         """Return the observation of a frame, each value within the limits of the space.
@@ -51,6 +52,6 @@ class Observer:
         """
         known = Known(frame, self._scenario, along=seen_along(frame, left, self._sticks.in_l(frame)))
         values = np.array([value for name in self._names for value in named(name).values(known)], dtype=np.float64)
-        observation = aligned_floats(len(values))
+        observation = self._arrays.new()
         observation[:] = np.clip((values - self._zero) / self._one, self.space.low, self.space.high)
         return observation

@@ -10,7 +10,7 @@ from aftdeck.arrays import Array
 from aftdeck.compiled_first import compiled_first
 from aftdeck.frames import Pose
 from aftdeck.gym.actions import outside, shaped
-from aftdeck.gym.aligned import aligned_floats
+from aftdeck.gym.aligned import AlignedFloats
 from aftdeck.gym.philox import MASK
 from aftdeck.gym.reach import definition as task
 from aftdeck.gym.reach import kernel
@@ -93,6 +93,7 @@ class ReachBatch:
         self._blocks = np.zeros((-(-count // LANES), ROWS * LANES))
         self._work, self._scratch = np.zeros(WORK * LANES), np.zeros(STATE)
         self._fields = self._blocks.reshape(-1, ROWS, LANES)
+        self._arrays = AlignedFloats(count, OBSERVATIONS)
         self._no_final = np.zeros((0, OBSERVATIONS), dtype=np.float32)
 
     def seed(self, keys: list[int | None]) -> None:
@@ -104,7 +105,7 @@ class ReachBatch:
 
     def begin(self, chosen: kernel.Flags) -> Floats32:
         """Begin the next episode in the chosen environments (n,); return all observations (n, OBSERVATIONS)."""
-        observations = aligned_floats(self._count, OBSERVATIONS)
+        observations = self._arrays.new()
         kernel.begin_all(self._steering, self._task, self._blocks, chosen, observations, self._work)
         return observations
 
@@ -120,7 +121,7 @@ class ReachBatch:
         """
         n = self._count
         sticks = shaped(actions, task.CONTROLS, n)
-        observations = aligned_floats(n, OBSERVATIONS)
+        observations = self._arrays.new()
         final = np.empty_like(observations) if autoreset == SAME_STEP else self._no_final
         rewards = np.empty(n)
         terminated, truncated, reached = np.empty(n, np.bool_), np.empty(n, np.bool_), np.empty(n, np.bool_)

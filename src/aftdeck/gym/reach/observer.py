@@ -10,7 +10,7 @@ import numpy as np
 from aftdeck.arms.load import ArmModel
 from aftdeck.arrays import Array
 from aftdeck.frames import Pose
-from aftdeck.gym.aligned import aligned_floats
+from aftdeck.gym.aligned import AlignedFloats
 from aftdeck.gym.reach import definition as task
 from aftdeck.gym.terms import Floats32, observation_space
 from aftdeck.simulation.frame import Frame
@@ -40,6 +40,7 @@ class Observer:
     def __init__(self, model: ArmModel) -> None:
         own = model.por_limits(0.0)
         self._to_orbiter, self._space = model.mount.rotation, observation_space(task.OBSERVATIONS)
+        self._arrays = AlignedFloats(*self._space.shape)
         self._middle, self._one = task.scales(
             float(own.translation[0]), float(own.rotation[0]), model.limits.soft, model.rates.servo
         )
@@ -64,7 +65,7 @@ class Observer:
             [to_orbiter @ shift, to_orbiter @ vector, to_orbiter @ twist[3:], to_orbiter @ twist[:3], angles, rates]
         )
         normalised = (values - self._middle) / self._one
-        observation = aligned_floats(len(values))
+        observation = self._arrays.new()
         observation[:] = np.clip(normalised, self._space.low, self._space.high)
         return Observation(observation, float(np.linalg.norm(shift)), math.sqrt(max(3.0 - trace, 0.0)))
 
