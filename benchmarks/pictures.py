@@ -31,7 +31,7 @@ SIZE = (800, 600)
 """Size of the pictures [pixels]."""
 REPEATS = 50
 """Number of orders in one call of `orders`."""
-ORDERED = {"concept-1972-script": 60.0, "srms-berth": 120.0}
+ORDERED = {"concept-1972-script": 60.0, "srms-berth": 70.0}
 WRITTEN, PAINTED = 15.0, 4.0
 """Promises for the slowest camera: order, as a share of a plain loop over all pairs of clusters; SVG, as a share of the
 writing of its coordinates by plain Python; PNG, as a share of Pillow's writing of the finished pixels."""
