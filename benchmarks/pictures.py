@@ -20,7 +20,7 @@ from aftdeck.simulation.frame import Frame
 from aftdeck.simulation.run import Simulation
 from aftdeck.visual.order import ordered
 from aftdeck.visual.page import Page, single
-from aftdeck.visual.picture import picture_of
+from aftdeck.visual.picture import Look, picture_of
 from aftdeck.visual.png import pixels, png
 from aftdeck.visual.scene import Arguments, VisualScene
 from aftdeck.visual.svg import svg
@@ -31,10 +31,13 @@ SIZE = (800, 600)
 """Size of the pictures [pixels]."""
 REPEATS = 50
 """Number of orders in one call of `orders`."""
-ORDERED = {"concept-1972-script": 60.0, "srms-berth": 250.0}
+ORDERED = {"concept-1972-script": 60.0, "srms-berth": 70.0}
 WRITTEN, PAINTED = 15.0, 4.0
 """Promises for the slowest camera: order, as a share of a plain loop over all pairs of clusters; SVG, as a share of the
 writing of its coordinates by plain Python; PNG, as a share of Pillow's writing of the finished pixels."""
+
+PAINTED_AS: tuple[tuple[str, Look], ...] = ("PNG", "colour"), ("PNG, look of 1972", "1972")
+"""Names of the kinds of PNG, and their looks."""
 
 
 class Size(NamedTuple):
@@ -119,18 +122,27 @@ def _worksite(name: str, at: float, size: Size) -> Iterator[Figure]:
             "coordinates of all corners, written by plain Python",
             WRITTEN,
         ),
-        Kind(
-            "PNG",
-            "ms",
-            lambda camera: ("png(make())", {"png": png, "make": partial(made, camera)}),
-            1e3,
-            lambda camera: ("save(image)", {"save": _save, "image": Image.fromarray(pixels(made(camera).cells[0][2]))}),
-            "finished pixels, written by Pillow",
-            PAINTED,
-        ),
+        *(_painted(made, label, look) for label, look in PAINTED_AS),
     )
     for kind in kinds:
         yield from _measured(name, kind, list(scene.cameras)[: size.cameras], size)
+
+
+def _painted(made: Callable[..., Page], label: str, look: Look) -> Kind:
+    """Return the PNG of each camera in a look."""
+
+    def finished(camera: str) -> Image.Image:
+        return Image.fromarray(pixels(made(camera, look=look).cells[0][2]))
+
+    return Kind(
+        label,
+        "ms",
+        lambda camera: ("png(make())", {"png": png, "make": partial(made, camera, look=look)}),
+        1e3,
+        lambda camera: ("save(image)", {"save": _save, "image": finished(camera)}),
+        "finished pixels, written by Pillow",
+        PAINTED,
+    )
 
 
 def _measured(name: str, kind: Kind, cameras: list[str], size: Size) -> Iterator[Figure]:
@@ -168,9 +180,9 @@ def arguments(scene: VisualScene, frame: Frame, camera: str) -> Arguments:
     return scene.arguments(frame, aim)
 
 
-def picture(scene: VisualScene, frame: Frame, camera: str) -> Page:
+def picture(scene: VisualScene, frame: Frame, camera: str, *, look: Look = "colour") -> Page:
     """Return the page of a camera's picture."""
-    return single(picture_of(scene, frame, camera, SIZE, "colour", conditions()[0]))
+    return single(picture_of(scene, frame, camera, SIZE, look, conditions()[0]))
 
 
 def mujoco_picture(size: Size) -> Figure:

@@ -18,7 +18,6 @@ from aftdeck.arrays import Array, Indices
 from aftdeck.bodies.pose import turned_back
 from aftdeck.bodies.vector import Vector, dot, times
 from aftdeck.law import law
-from aftdeck.visual.placing import Memory
 from aftdeck.visual.planes import TOLERANCE, extent
 from aftdeck.visual.store import Store
 
@@ -58,13 +57,13 @@ def bisector(poses: Array, f: int, g: int) -> Vector:
 
 
 @law
-def remember_bisectors(pairs: Indices, placed: Store, frame: Indices, poses: Array, memory: Memory) -> None:
+def remember_bisectors(pairs: Indices, placed: Store, frame: Indices, poses: Array, memory: Array) -> None:
     """Write the bisecting planes that separate their two clusters into the memory of planes."""
     for k in range(len(pairs)):
         i, j = pairs[k, 0], pairs[k, 1]
         n = bisector(poses, frame[i], frame[j])
-        along = extent(placed, i, j, n)
+        along = extent(placed.points, placed.first_point, i, j, n)
         if dot(n, n) > 0.0 and along.b - along.a >= -TOLERANCE:
             a, b = min(i, j), max(i, j)
             own = turned_back(poses[frame[a]], times(1.0 if a == i else -1.0, n))
-            memory.normals[a, b, 0], memory.normals[a, b, 1], memory.normals[a, b, 2] = own.x, own.y, own.z
+            memory[a, b, 0], memory[a, b, 1], memory[a, b, 2] = own.x, own.y, own.z

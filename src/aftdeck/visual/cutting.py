@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from aftdeck.arrays import Array, Indices
-from aftdeck.bodies.vector import Vector, cross, dot, minus
+from aftdeck.bodies.vector import Vector, cross, dot
 from aftdeck.law import law
 from aftdeck.visual.store import CLUSTERS, CORNERS, FACES, MOST_CORNERS, POINTS, Store
 
@@ -26,11 +26,13 @@ def point_at(points: Array, i: int) -> Vector:
 
 
 @law
-def position_of(store: Store, k: int, plane: Array) -> int:
-    """Return the position of polyhedron `k` relative to a plane (4,): BELOW, ABOVE or CROSSED."""
+def position_of(points: Array, begin: int, end: int, plane: Array) -> int:
+    """Return the position of a polyhedron relative to a plane (4,): BELOW, ABOVE or CROSSED.
+
+    Its vertices are the points from index `begin` to `end`.
+    """
     low, high = np.inf, -np.inf
-    points = store.points
-    for i in range(store.first_point[k], store.first_point[k + 1]):
+    for i in range(begin, end):
         height = plane[0] * points[i, 0] + plane[1] * points[i, 1] + plane[2] * points[i, 2] - plane[3]
         low, high = min(low, height), max(high, height)
     if high <= ON:
@@ -51,17 +53,17 @@ def part_of(store: Store, k: int, plane: Array, side: float) -> int:
     Returns:
         Index of the part; FULL if there is no free space.
     """
-    begin, end, new = store.first_point[k], store.first_point[k + 1], store.used[CLUSTERS]
+    begin, end, new, points = store.first_point[k], store.first_point[k + 1], store.used[CLUSTERS], store.points
     if not _has_room(store, k):
         return FULL
     heights, moved = np.empty(end - begin), np.empty(end - begin, np.int64)
     free = store.used[POINTS]
     for i in range(end - begin):
-        p = point_at(store.points, begin + i)
-        heights[i] = side * (plane[0] * p.x + plane[1] * p.y + plane[2] * p.z - plane[3])
+        x, y, z = points[begin + i, 0], points[begin + i, 1], points[begin + i, 2]
+        heights[i] = side * (plane[0] * x + plane[1] * y + plane[2] * z - plane[3])
         moved[i] = -1
         if heights[i] <= ON:
-            store.points[free] = store.points[begin + i]
+            points[free, 0], points[free, 1], points[free, 2] = x, y, z
             moved[i] = free
             free += 1
     end_point = _cut_faces(store, k, heights, moved, free)
@@ -104,49 +106,44 @@ def _cut_faces(store: Store, k: int, heights: Array, moved: Indices, free: int) 
         Index of the first free point; FULL if the plane cuts more than MOST_CORNERS edges.
     """
     begin, crossed, crossings = store.first_point[k], np.empty((MOST_CORNERS, 2), np.int64), 0
+    points, planes, corners, first_corner = store.points, store.planes, store.corners, store.first_corner
     face, corner = store.used[FACES], store.used[CORNERS]
     for f in range(store.first_face[k], store.first_face[k + 1]):
-        start, stop = store.first_corner[f], store.first_corner[f + 1]
-        store.first_corner[face] = corner
+        start, stop = first_corner[f], first_corner[f + 1]
+        first_corner[face] = corner
         inside = False
         for c in range(start, stop):
-            i = store.corners[c] - begin
-            j = store.corners[c + 1 if c + 1 < stop else start] - begin
+            i = corners[c] - begin
+            j = corners[c + 1 if c + 1 < stop else start] - begin
             if heights[i] <= ON:
-                store.corners[corner] = moved[i]
+                corners[corner] = moved[i]
                 corner += 1
                 inside = inside or heights[i] < -ON
             if min(heights[i], heights[j]) < -ON and max(heights[i], heights[j]) > ON:
                 p, q = min(i, j), max(i, j)
-                at = _crossing(crossed, crossings, p, q)
+                at = 0  # the number of the edge p-q, if it is already cut
+                while at < crossings and (crossed[at, 0] != p or crossed[at, 1] != q):
+                    at += 1
                 if at == crossings:
                     if crossings == MOST_CORNERS:
                         return FULL
                     part = heights[p] / (heights[p] - heights[q])
                     for axis in range(3):
-                        low, high = store.points[begin + p, axis], store.points[begin + q, axis]
-                        store.points[free + at, axis] = low + part * (high - low)
+                        low, high = points[begin + p, axis], points[begin + q, axis]
+                        points[free + at, axis] = low + part * (high - low)
                     crossed[at, 0], crossed[at, 1] = p, q
                     crossings += 1
-                store.corners[corner] = free + at
+                corners[corner] = free + at
                 corner += 1
-        if inside and corner - store.first_corner[face] >= FEWEST_CORNERS:
-            store.planes[face] = store.planes[f]
+        if inside and corner - first_corner[face] >= FEWEST_CORNERS:
+            for axis in range(4):
+                planes[face, axis] = planes[f, axis]
             store.paint[face] = store.paint[f]
             face += 1
         else:
-            corner = store.first_corner[face]
+            corner = first_corner[face]
     store.used[FACES], store.used[CORNERS] = face, corner
     return free + crossings
-
-
-@law
-def _crossing(crossed: Indices, crossings: int, p: int, q: int) -> int:
-    """Return the number of the edge p-q among the edges that are already cut; `crossings` if it is not among them."""
-    for e in range(crossings):
-        if crossed[e, 0] == p and crossed[e, 1] == q:
-            return e
-    return crossings
 
 
 @law
@@ -186,10 +183,11 @@ def _sort_around(points: Array, rim: Indices, count: int, normal: Vector) -> Non
     """
     for i in range(count - 2):
         for j in range(i + 2, count):
-            origin = point_at(points, rim[i])
-            a, b = minus(point_at(points, rim[i + 1]), origin), minus(point_at(points, rim[j]), origin)
+            o, p, q = rim[i], rim[i + 1], rim[j]
+            a = Vector(points[p, 0] - points[o, 0], points[p, 1] - points[o, 1], points[p, 2] - points[o, 2])
+            b = Vector(points[q, 0] - points[o, 0], points[q, 1] - points[o, 1], points[q, 2] - points[o, 2])
             if dot(cross(a, b), normal) < 0.0:
-                rim[i + 1], rim[j] = rim[j], rim[i + 1]
+                rim[i + 1], rim[j] = q, p
 
 
 @law
@@ -211,7 +209,7 @@ def subtract(store: Store, k: int, other: Store, m: int, pieces: Indices, count:
     """
     start, rest = count, k
     for f in range(other.first_face[m], other.first_face[m + 1]):
-        position = position_of(store, rest, other.planes[f])
+        position = position_of(store.points, store.first_point[rest], store.first_point[rest + 1], other.planes[f])
         if position == ABOVE:
             if start == len(pieces):
                 return FULL

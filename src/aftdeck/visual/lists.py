@@ -28,7 +28,7 @@ _BESIDE = 1e-9
 def nearer(store: Store, i: int, j: int, eye: Vector) -> int:
     """Return 1 if polyhedron `i` can hide `j` from an eye, -1 if `j` can hide `i`, 0 if neither can."""
     best = best_plane(store, i, j)
-    return nearer_by(extent(store, i, j, best.normal), dot(best.normal, eye))
+    return nearer_by(extent(store.points, store.first_point, i, j, best.normal), dot(best.normal, eye))
 
 
 @law

@@ -8,14 +8,14 @@ from __future__ import annotations
 
 import numpy as np
 
-from aftdeck.arrays import Array, Indices
+from aftdeck.arrays import Array, Indices, Mask
 from aftdeck.law import law
 from aftdeck.visual.cutting import FEWEST_CORNERS, FULL, ON
-from aftdeck.visual.store import MOST_CORNERS, Store
+from aftdeck.visual.store import Store
 
 MOST_POINTS = 96
 """Greatest number of corners of an outline."""
-_GATHERED = 1024
+GATHERED = 1024
 """Greatest number of points from which an outline is found."""
 _SIDES = 4
 """Number of the picture's edges: left, right, upper, lower."""
@@ -24,10 +24,13 @@ NEAR = 5e-3
 
 
 @law
-def outcodes(placed: Store, k: int, wide: float, high: float) -> tuple[int, int]:
-    """Return the edges of the picture (as bits) beyond which all vertices are, and beyond which any vertex is."""
-    every, some, points = 15, 0, placed.points
-    for i in range(placed.first_point[k], placed.first_point[k + 1]):
+def outcodes(points: Array, begin: int, end: int, wide: float, high: float) -> tuple[int, int]:
+    """Return the edges of the picture (as bits) beyond which all vertices are, and beyond which any vertex is.
+
+    The vertices are the points from index `begin` to `end`.
+    """
+    every, some = 15, 0
+    for i in range(begin, end):
         x, y, z = points[i, 0], points[i, 1], points[i, 2]
         code = 0
         if x < -wide * z:
@@ -44,25 +47,29 @@ def outcodes(placed: Store, k: int, wide: float, high: float) -> tuple[int, int]
 
 
 @law
-def touches_eye(placed: Store, k: int) -> bool:
-    """Return whether the eye is inside a polyhedron, or so near that the plane of no face is farther than NEAR."""
+def touches_eye(planes: Array, begin: int, end: int) -> bool:
+    """Return whether the eye is inside a polyhedron, or so near that the plane of no face is farther than NEAR.
+
+    The planes of its faces are those from index `begin` to `end`.
+    """
     farthest = np.inf
-    for f in range(placed.first_face[k], placed.first_face[k + 1]):
-        farthest = min(farthest, placed.planes[f, 3])
+    for f in range(begin, end):
+        farthest = min(farthest, planes[f, 3])
     return bool(farthest >= -NEAR)
 
 
 @law
-def clipped(placed: Store, f: int, wide: float, high: float, polygon: Array, work: Array) -> int:
+def clipped(
+    points: Array, corners: Indices, begin: int, end: int, wide: float, high: float, polygon: Array, work: Array
+) -> int:
     """Write the part of a face inside the picture into `polygon` (n, 3); return the number of its corners.
 
-    `polygon` and `work` need room for the face's corners and four more.
+    The face's corners are the points `corners[begin:end]`. `polygon` and `work` need room for four more.
     """
-    count = 0
-    for c in range(placed.first_corner[f], placed.first_corner[f + 1]):
-        polygon[count] = placed.points[placed.corners[c]]
-        count += 1
-    return in_picture(polygon, count, wide, high, work)
+    for c in range(begin, end):
+        for axis in range(3):
+            polygon[c - begin, axis] = points[corners[c], axis]
+    return in_picture(polygon, end - begin, wide, high, work)
 
 
 @law
@@ -70,13 +77,19 @@ def in_picture(polygon: Array, count: int, wide: float, high: float, work: Array
     """Cut off what is beyond the edges of the picture from a polygon (count, 3); return the number of its corners."""
     for side in range(_SIDES):
         axis, sign, limit = side >> 1, 1.0 if side & 1 else -1.0, high if side & 2 else wide
+        inside = 0
+        for i in range(count):
+            inside += limit * polygon[i, 2] - sign * polygon[i, axis] >= 0.0
+        if inside == count:
+            continue
         kept = 0
         for i in range(count):
             j = i + 1 if i + 1 < count else 0
             a = limit * polygon[i, 2] - sign * polygon[i, axis]
             b = limit * polygon[j, 2] - sign * polygon[j, axis]
             if a >= 0.0:
-                work[kept] = polygon[i]
+                for k in range(3):
+                    work[kept, k] = polygon[i, k]
                 kept += 1
             if (a < 0.0 and b > 0.0) or (a > 0.0 and b < 0.0):
                 part = a / (a - b)
@@ -85,28 +98,35 @@ def in_picture(polygon: Array, count: int, wide: float, high: float, work: Array
                 kept += 1
         count = kept
         for i in range(count):
-            polygon[i] = work[i]
+            for k in range(3):
+                polygon[i, k] = work[i, k]
     return count
 
 
 @law
-def within_planes(placed: Store, k: int, f: int, polygon: Array, count: int, work: Array) -> int:
-    """Cut off what is outside polyhedron `k` from a polygon (count, 3) in the plane of its face `f`.
+def within_planes(planes: Array, begin: int, end: int, f: int, polygon: Array, count: int, work: Array) -> int:
+    """Cut off what is outside a polyhedron from a polygon (count, 3) in the plane of its face `f`.
 
-    A corner up to ON outside a plane is kept: a cut there would make an edge whose direction is rounding.
+    The polyhedron's planes are those from index `begin` to `end`. A corner up to ON outside a plane is kept: a cut
+    there would make an edge whose direction is rounding.
     """
-    for g in range(placed.first_face[k], placed.first_face[k + 1]):
+    for g in range(begin, end):
         if g == f:
+            continue
+        x, y, z, distance = planes[g, 0], planes[g, 1], planes[g, 2], planes[g, 3] + ON
+        inside = 0
+        for i in range(count):
+            inside += distance - x * polygon[i, 0] - y * polygon[i, 1] - z * polygon[i, 2] >= 0.0
+        if inside == count:
             continue
         kept = 0
         for i in range(count):
             j = i + 1 if i + 1 < count else 0
-            a, b = placed.planes[g, 3] + ON, placed.planes[g, 3] + ON
-            for n in range(3):
-                a -= placed.planes[g, n] * polygon[i, n]
-                b -= placed.planes[g, n] * polygon[j, n]
+            a = distance - x * polygon[i, 0] - y * polygon[i, 1] - z * polygon[i, 2]
+            b = distance - x * polygon[j, 0] - y * polygon[j, 1] - z * polygon[j, 2]
             if a >= 0.0:
-                work[kept] = polygon[i]
+                for n in range(3):
+                    work[kept, n] = polygon[i, n]
                 kept += 1
             if (a < 0.0 and b > 0.0) or (a > 0.0 and b < 0.0):
                 part = a / (a - b)
@@ -115,13 +135,16 @@ def within_planes(placed: Store, k: int, f: int, polygon: Array, count: int, wor
                 kept += 1
         count = kept
         for i in range(count):
-            polygon[i] = work[i]
+            for n in range(3):
+                polygon[i, n] = work[i, n]
     return count
 
 
 @law
-def outline(placed: Store, k: int, crosses: bool, wide: float, high: float, found: Array) -> int:
-    """Write the outline of a polyhedron into `found` (MOST_POINTS, 2), counter-clockwise for x right and y up.
+def outline(
+    placed: Store, k: int, crosses: bool, wide: float, high: float, flat: Array, polygon: Array, work: Array
+) -> int:
+    """Write points into `flat` (GATHERED, 2) whose hull is the outline of a polyhedron; return their number.
 
     Args:
         placed: the polyhedra.
@@ -129,31 +152,33 @@ def outline(placed: Store, k: int, crosses: bool, wide: float, high: float, foun
         crosses: whether an edge of the picture cuts the polyhedron.
         wide: tangent of half the horizontal field of view.
         high: tangent of half the vertical field of view.
-        found: output.
+        flat: output.
+        polygon: room for a face.
+        work: room for a face.
 
     Returns:
-        Number of corners; 0 if the polyhedron is not in the picture; FULL if there are too many.
+        Number of points; FULL if there are too many.
     """
-    flat, count = np.empty((_GATHERED, 2)), 0
-    if placed.first_point[k + 1] - placed.first_point[k] > _GATHERED:
+    points, corners, planes, first = placed.points, placed.corners, placed.planes, placed.first_corner
+    begin, end, count = placed.first_point[k], placed.first_point[k + 1], 0
+    if end - begin > GATHERED:
         return FULL
     if not crosses:
-        for i in range(placed.first_point[k], placed.first_point[k + 1]):
-            flat[count, 0] = placed.points[i, 0] / placed.points[i, 2]
-            flat[count, 1] = placed.points[i, 1] / placed.points[i, 2]
+        for i in range(begin, end):
+            flat[count, 0] = points[i, 0] / points[i, 2]
+            flat[count, 1] = points[i, 1] / points[i, 2]
             count += 1
-        return convex_hull(flat, count, found)
-    polygon, work = np.empty((MOST_CORNERS + 8, 3)), np.empty((MOST_CORNERS + 8, 3))
+        return count
     for f in range(placed.first_face[k], placed.first_face[k + 1]):
-        if placed.planes[f, 3] >= 0.0:
+        if planes[f, 3] >= 0.0:
             continue
-        corners = clipped(placed, f, wide, high, polygon, work)
-        if count + corners > _GATHERED:
+        size = clipped(points, corners, first[f], first[f + 1], wide, high, polygon, work)
+        if count + size > GATHERED:
             return FULL
-        for i in range(corners):
+        for i in range(size):
             flat[count, 0], flat[count, 1] = polygon[i, 0] / polygon[i, 2], polygon[i, 1] / polygon[i, 2]
             count += 1
-    return convex_hull(flat, count, found)
+    return count
 
 
 @law
@@ -174,21 +199,18 @@ def convex_hull(flat: Array, count: int, found: Array) -> int:
             i = count - 1 - step if half else step
             if half and step == 0:
                 continue
-            while size >= least and _turn(found, size, flat[i, 0], flat[i, 1]) <= 0.0:
+            x, y = flat[i, 0], flat[i, 1]
+            while size >= least:
+                ax, ay = found[size - 2, 0], found[size - 2, 1]
+                if (found[size - 1, 0] - ax) * (y - ay) - (found[size - 1, 1] - ay) * (x - ax) > 0.0:
+                    break
                 size -= 1
             if size == len(found):
                 return FULL
-            found[size, 0], found[size, 1] = flat[i, 0], flat[i, 1]
+            found[size, 0], found[size, 1] = x, y
             size += 1
     size -= 1  # the last corner is the first one
     return size if size >= FEWEST_CORNERS else 0
-
-
-@law
-def _turn(found: Array, size: int, x: float, y: float) -> float:
-    ax, ay = found[size - 2, 0], found[size - 2, 1]
-    turn: float = (found[size - 1, 0] - ax) * (y - ay) - (found[size - 1, 1] - ay) * (x - ax)
-    return turn
 
 
 @law
@@ -203,35 +225,56 @@ def bound(outlines: Array, k: int, size: int, boxes: Array) -> None:
 
 
 @law
-def overlap(outlines: Array, sizes: Indices, boxes: Array, a: int, b: int, slack: float) -> bool:
-    """Return whether two convex outlines overlap by more than about `slack`: no edge of either separates them.
+def overlapping(
+    outlines: Array, sizes: Indices, boxes: Array, new: Mask, count: int, slack: float, pairs: Indices, begin: int
+) -> int:
+    """Write the pairs (a, b), a > b, of convex outlines that overlap by more than about `slack`; return where they end.
+
+    No edge of either outline of a pair separates the two. The bounds are compared first, in this law: as a law of its
+    own, called for each pair, this comparison would take ten times as long, because a call counts references.
 
     Args:
         outlines: (n, MOST_POINTS, 2) outlines.
-        sizes: (n,) their numbers of corners.
-        boxes: (n, 4) their bounds, which are compared first.
-        a: the first outline.
-        b: the second outline.
+        sizes: (n,) their numbers of corners; 0 for an outline that overlaps none.
+        boxes: (n, 4) their bounds.
+        new: (n,) 1 for each new outline; a pair without a new one is left out.
+        count: number of outlines.
         slack: overlap that does not count.
+        pairs: output: (m, 2), from index `begin` on.
+        begin: the index.
     """
-    if sizes[a] == 0 or sizes[b] == 0:
-        return False
-    if boxes[a, 0] > boxes[b, 2] - slack or boxes[b, 0] > boxes[a, 2] - slack:
-        return False
-    if boxes[a, 1] > boxes[b, 3] - slack or boxes[b, 1] > boxes[a, 3] - slack:
-        return False
-    for side in range(2):
-        p, q = (a, b) if side == 0 else (b, a)
-        for i in range(sizes[p]):
-            j = i + 1 if i + 1 < sizes[p] else 0
-            x, y = outlines[p, i, 0], outlines[p, i, 1]
-            ex, ey = outlines[p, j, 0] - x, outlines[p, j, 1] - y
-            limit = slack * (abs(ex) + abs(ey))
-            beyond = True
-            for k in range(sizes[q]):
-                if ex * (outlines[q, k, 1] - y) - ey * (outlines[q, k, 0] - x) > limit:
-                    beyond = False
-                    break
-            if beyond:
-                return False
-    return True
+    end = begin
+    for a in range(count):
+        if sizes[a] == 0:
+            continue
+        left, top, right, bottom = boxes[a, 0], boxes[a, 1], boxes[a, 2] - slack, boxes[a, 3] - slack
+        for b in range(a):
+            if not (new[a] or new[b]) or left > boxes[b, 2] - slack or boxes[b, 0] > right:
+                continue
+            if top > boxes[b, 3] - slack or boxes[b, 1] > bottom or sizes[b] == 0:
+                continue
+            if _divides(outlines, a, sizes[a], b, sizes[b], slack) or _divides(
+                outlines, b, sizes[b], a, sizes[a], slack
+            ):
+                continue
+            pairs[end, 0], pairs[end, 1] = a, b
+            end += 1
+    return end
+
+
+@law
+def _divides(outlines: Array, p: int, size: int, q: int, others: int, slack: float) -> bool:
+    """Return whether an edge of outline `p` has all of outline `q` on its other side; the sizes are their corners."""
+    for i in range(size):
+        j = i + 1 if i + 1 < size else 0
+        x, y = outlines[p, i, 0], outlines[p, i, 1]
+        ex, ey = outlines[p, j, 0] - x, outlines[p, j, 1] - y
+        limit = slack * (abs(ex) + abs(ey))
+        beyond = True
+        for k in range(others):
+            if ex * (outlines[q, k, 1] - y) - ey * (outlines[q, k, 0] - x) > limit:
+                beyond = False
+                break
+        if beyond:
+            return True
+    return False

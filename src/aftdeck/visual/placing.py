@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from typing import NamedTuple
-
 import numpy as np
 
 from aftdeck.arrays import Array, Indices, Mask
@@ -11,7 +9,7 @@ from aftdeck.bodies.pose import turned_back
 from aftdeck.bodies.vector import Vector, dot
 from aftdeck.law import law
 from aftdeck.visual.cutting import FULL, subtract
-from aftdeck.visual.planes import TOLERANCE, best_plane, extent
+from aftdeck.visual.planes import TOLERANCE, Extent, best_plane, extent
 from aftdeck.visual.store import CLUSTERS, Store
 
 
@@ -43,26 +41,23 @@ def place(store: Store, frame: Indices, poses: Array, placed: Store) -> None:
     placed.used[:] = store.used
 
 
-class Memory(NamedTuple):
-    """Normals of the last separating planes. A plane that still separates two polyhedra need not be sought again.
-
-    Each cluster has a slot, and each piece gets one of the slots that follow. Normals are in the frame of the slot.
-
-    Attributes:
-        normals: (S, S, 3) unit normal between two slots, from the lower to the higher one; zero if there was none.
-        owner: (S,) cluster to which the polyhedron in a slot belongs.
-    """
-
-    normals: Array
-    owner: Indices
-
-
 @law
-def remembered(memory: Memory, a: int, b: int, poses: Array, frame: Indices) -> Vector:
-    """Return the last separating normal between slots a < b, in the coordinates in which `poses` are given."""
+def remembered(memory: Array, a: int, b: int, poses: Array, f: int) -> Vector:
+    """Return the last separating normal between slots a < b, in the coordinates in which `poses` are given.
+
+    A plane that still separates two polyhedra need not be sought again. Each cluster has a slot in the memory, and each
+    piece gets one of the slots that follow.
+
+    Args:
+        memory: (S, S, 3) unit normal between two slots, from the lower to the higher one, in the frame of the lower
+            one's cluster; zero if there was none.
+        a: the lower slot.
+        b: the higher slot.
+        poses: (F, 12) poses of the frames.
+        f: the frame of the lower slot's cluster.
+    """
     # not by `bodies.pose.turned`: a row of `poses` as its argument would count references in an inner loop
-    normals, f = memory.normals, frame[memory.owner[a]]
-    x, y, z = normals[a, b, 0], normals[a, b, 1], normals[a, b, 2]
+    x, y, z = memory[a, b, 0], memory[a, b, 1], memory[a, b, 2]
     return Vector(
         poses[f, 3] * x + poses[f, 4] * y + poses[f, 5] * z,
         poses[f, 6] * x + poses[f, 7] * y + poses[f, 8] * z,
@@ -71,33 +66,21 @@ def remembered(memory: Memory, a: int, b: int, poses: Array, frame: Indices) -> 
 
 
 @law
-def still_separate(placed: Store, i: int, j: int, memory: Memory, a: int, b: int, poses: Array, frame: Indices) -> bool:
-    """Return whether the last plane between two slots separates their polyhedra; arguments as for `separated`."""
-    last = remembered(memory, a, b, poses, frame)
-    along = extent(placed, i, j, last)
+def separates(normal: Vector, along: Extent) -> bool:
+    """Return whether a remembered normal, with the extents of two polyhedra along it, still separates them."""
     # two polyhedra that were never compared have a zero vector
-    return dot(last, last) > 0.0 and along.b - along.a >= -TOLERANCE
+    return dot(normal, normal) > 0.0 and along.b - along.a >= -TOLERANCE
 
 
 @law
-def separated(placed: Store, i: int, j: int, memory: Memory, a: int, b: int, poses: Array, frame: Indices) -> bool:
-    """Return whether two polyhedra are separate, and remember the plane that separates them.
+def seek_plane(placed: Store, i: int, j: int, memory: Array, a: int, b: int, poses: Array, f: int) -> bool:
+    """Seek the best plane between polyhedra `i` and `j`, and remember its normal; return whether it separates them.
 
-    Args:
-        placed: the polyhedra.
-        i: the first polyhedron.
-        j: the second polyhedron.
-        memory: the last planes; updated.
-        a: slot of the first polyhedron.
-        b: slot of the second polyhedron, greater than `a`.
-        poses: (F, 12) poses of the frames.
-        frame: (N,) frame of each cluster.
+    `a` and `b` are their slots; the other arguments are as for `remembered`.
     """
-    if still_separate(placed, i, j, memory, a, b, poses, frame):
-        return True
     best = best_plane(placed, i, j)
-    own = turned_back(poses[frame[memory.owner[a]]], best.normal)
-    memory.normals[a, b, 0], memory.normals[a, b, 1], memory.normals[a, b, 2] = own.x, own.y, own.z
+    own = turned_back(poses[f], best.normal)
+    memory[a, b, 0], memory[a, b, 1], memory[a, b, 2] = own.x, own.y, own.z
     return best.apart >= -TOLERANCE
 
 
@@ -107,7 +90,7 @@ def trim(
     trims: Indices,
     visible: Mask,
     shown: Mask,
-    memory: Memory,
+    memory: Array,
     poses: Array,
     frame: Indices,
     pieces: Indices,
@@ -119,7 +102,7 @@ def trim(
         trims: (T, 2) pairs of clusters, sorted by the first; the second is removed from the first.
         visible: (N,) 1 for each cluster that can be in the picture.
         shown: (N,) 1 for each cluster that is there; others cut nothing off.
-        memory: the last planes.
+        memory: the last separating planes.
         poses: (F, 12) poses of the frames.
         frame: (N,) frame of each cluster.
         pieces: output: indices of the polyhedra to draw.
@@ -128,6 +111,7 @@ def trim(
         Number of polyhedra to draw; FULL if there is no free space left.
     """
     count, t = 0, 0
+    points, first = placed.points, placed.first_point
     clusters, work = len(frame), np.empty(len(pieces), np.int64)
     for k in range(clusters):
         begin = count
@@ -142,7 +126,8 @@ def trim(
             if not shown[m] or count == begin:
                 continue
             a, b = min(k, m), max(k, m)
-            if still_separate(placed, a, b, memory, a, b, poses, frame):
+            last = remembered(memory, a, b, poses, frame[a])
+            if separates(last, extent(points, first, a, b, last)):
                 continue
             old = count - begin
             for i in range(old):

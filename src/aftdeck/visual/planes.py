@@ -12,11 +12,10 @@ from typing import NamedTuple
 
 import numpy as np
 
-from aftdeck.arrays import Array
+from aftdeck.arrays import Array, Indices
 from aftdeck.bodies.vector import Vector, cross, dot, minus, times
 from aftdeck.law import law
 from aftdeck.units import FOOT
-from aftdeck.visual.cutting import point_at
 from aftdeck.visual.store import Store
 
 TOLERANCE = 1e-6 * FOOT
@@ -33,13 +32,17 @@ class Extent(NamedTuple):
 
 
 @law
-def extent(store: Store, a: int, b: int, n: Vector) -> Extent:
-    """Return the extents of polyhedra `a` and `b` along a normal from `a` to `b`."""
-    high, low, points = -np.inf, np.inf, store.points
-    for i in range(store.first_point[a], store.first_point[a + 1]):
+def extent(points: Array, first: Indices, a: int, b: int, n: Vector) -> Extent:
+    """Return the extents of polyhedra `a` and `b` along a normal from `a` to `b`.
+
+    `points` and `first` are a store's `points` and `first_point`. A law counts the references of each array that it is
+    given, and the nine arrays of a store would take longer than the extents.
+    """
+    high, low = -np.inf, np.inf
+    for i in range(first[a], first[a + 1]):
         height = n.x * points[i, 0] + n.y * points[i, 1] + n.z * points[i, 2]
         high = height if height > high else high
-    for i in range(store.first_point[b], store.first_point[b + 1]):
+    for i in range(first[b], first[b + 1]):
         height = n.x * points[i, 0] + n.y * points[i, 1] + n.z * points[i, 2]
         low = height if height < low else low
     return Extent(high, low)
@@ -78,15 +81,15 @@ def best_plane(store: Store, a: int, b: int) -> Found:
 
     If a face's plane separates the polyhedra, the edges are not tried.
     """
-    best = Found(Vector(0.0, 0.0, 1.0), -np.inf)
+    points, first, planes, best = store.points, store.first_point, store.planes, Found(Vector(0.0, 0.0, 1.0), -np.inf)
     for f in range(store.first_face[a], store.first_face[a + 1]):
-        n = Vector(store.planes[f, 0], store.planes[f, 1], store.planes[f, 2])
-        along = extent(store, a, b, n)
+        n = Vector(planes[f, 0], planes[f, 1], planes[f, 2])
+        along = extent(points, first, a, b, n)
         if along.b - along.a > best.apart:
             best = Found(n, along.b - along.a)
     for f in range(store.first_face[b], store.first_face[b + 1]):
-        n = Vector(-store.planes[f, 0], -store.planes[f, 1], -store.planes[f, 2])
-        along = extent(store, a, b, n)
+        n = Vector(-planes[f, 0], -planes[f, 1], -planes[f, 2])
+        along = extent(points, first, a, b, n)
         if along.b - along.a > best.apart:
             best = Found(n, along.b - along.a)
     if best.apart >= -TOLERANCE:
@@ -97,42 +100,47 @@ def best_plane(store: Store, a: int, b: int) -> Found:
 @law
 def _by_edges(store: Store, a: int, b: int, best: Found) -> Found:
     """Return the best plane that is parallel to an edge of each polyhedron, or `best` if none is better."""
-    middle_a, middle_b = _middle(store, a), _middle(store, b)
-    for c in range(store.first_corner[store.first_face[a]], store.first_corner[store.first_face[a + 1]]):
-        i, j = store.corners[c], _following(store, a, c)
-        if i > j:  # each edge belongs to two faces, which pass it in opposite directions
-            continue
-        e = minus(point_at(store.points, j), point_at(store.points, i))
-        for d in range(store.first_corner[store.first_face[b]], store.first_corner[store.first_face[b + 1]]):
-            p, q = store.corners[d], _following(store, b, d)
-            if p > q:
-                continue
-            g = minus(point_at(store.points, q), point_at(store.points, p))
+    points, first = store.points, store.first_point
+    middle_a, middle_b = _middle(points, first, a), _middle(points, first, b)
+    between = minus(middle_b, middle_a)
+    edges, others = _edges(store, a), _edges(store, b)
+    for c in range(len(edges)):
+        e = Vector(edges[c, 0], edges[c, 1], edges[c, 2])
+        for d in range(len(others)):
+            g = Vector(others[d, 0], others[d, 1], others[d, 2])
             n = cross(e, g)
             square = dot(n, n)
             if square <= _PARALLEL * dot(e, e) * dot(g, g):
                 continue
-            n = times((1.0 if dot(n, minus(middle_b, middle_a)) > 0.0 else -1.0) / np.sqrt(square), n)
-            along = extent(store, a, b, n)
+            n = times((1.0 if dot(n, between) > 0.0 else -1.0) / np.sqrt(square), n)
+            along = extent(points, first, a, b, n)
             if along.b - along.a > best.apart:
                 best = Found(n, along.b - along.a)
     return best
 
 
 @law
-def _following(store: Store, k: int, c: int) -> int:
-    """Return the vertex that follows corner `c` of polyhedron `k` in its face."""
-    for f in range(store.first_face[k], store.first_face[k + 1]):
-        if c < store.first_corner[f + 1]:
-            return int(store.corners[c + 1 if c + 1 < store.first_corner[f + 1] else store.first_corner[f]])
-    return -1
+def _edges(store: Store, k: int) -> Array:
+    """Return the edges (n, 3) of polyhedron `k`, each as the vector from one of its ends to the other [m]."""
+    points, corners, first_corner = store.points, store.corners, store.first_corner
+    begin, end = store.first_face[k], store.first_face[k + 1]
+    found, count = np.empty((first_corner[end] - first_corner[begin], 3)), 0
+    for f in range(begin, end):
+        for c in range(first_corner[f], first_corner[f + 1]):
+            i, j = corners[c], corners[c + 1 if c + 1 < first_corner[f + 1] else first_corner[f]]
+            if i > j:  # each edge belongs to two faces, which pass it in opposite directions
+                continue
+            for axis in range(3):
+                found[count, axis] = points[j, axis] - points[i, axis]
+            count += 1
+    return found[:count]
 
 
 @law
-def _middle(store: Store, k: int) -> Vector:
-    x, y, z, count = 0.0, 0.0, 0.0, 0
-    for i in range(store.first_point[k], store.first_point[k + 1]):
-        x, y, z, count = x + store.points[i, 0], y + store.points[i, 1], z + store.points[i, 2], count + 1
+def _middle(points: Array, first: Indices, k: int) -> Vector:
+    x, y, z, count = 0.0, 0.0, 0.0, first[k + 1] - first[k]
+    for i in range(first[k], first[k + 1]):
+        x, y, z = x + points[i, 0], y + points[i, 1], z + points[i, 2]
     return Vector(x / count, y / count, z / count)
 
 
@@ -140,7 +148,7 @@ def _middle(store: Store, k: int) -> Vector:
 def plane_of(store: Store, a: int, b: int, found: Array) -> float:
     """Write the best plane (4,) of two polyhedra, halfway between them; return the distance between them [m]."""
     best = best_plane(store, a, b)
-    along = extent(store, a, b, best.normal)
+    along = extent(store.points, store.first_point, a, b, best.normal)
     found[0], found[1], found[2] = best.normal.x, best.normal.y, best.normal.z
     found[3] = 0.5 * (along.a + along.b)
     return best.apart

@@ -77,20 +77,23 @@ def gather(
     """
     size = MOST_MARK_CORNERS + 2 * MOST_CORNERS
     polygon, work = np.empty((size, 3)), np.empty((size, 3))
+    planes, paints, corner, begin = placed.planes, placed.paint, placed.corners, placed.first_corner
     faces = len(marks.first) - 1
     written, at = 0, 0
     begins[0] = 0
     for n in range(count):
         k = table[count - 1 - n]
-        pose = poses[frame[placed.owner[k]]]
-        for f in range(placed.first_face[k], placed.first_face[k + 1]):
-            paint = placed.paint[f]
-            if placed.planes[f, 3] >= 0.0 or paint < 0:
+        own = placed.owner[k]
+        pose = poses[frame[own]]
+        first_face, end_face = placed.first_face[k], placed.first_face[k + 1]
+        for f in range(first_face, end_face):
+            paint = paints[f]
+            if planes[f, 3] >= 0.0 or paint < 0:
                 continue
             first = marks.first[paint]
             for m in range(first - 1, marks.first[paint + 1]):
                 if m < first:  # the face itself
-                    corners = clipped(placed, f, wide, high, polygon, work)
+                    corners = clipped(placed.points, corner, begin[f], begin[f + 1], wide, high, polygon, work)
                 else:
                     corners = 0
                     for i in range(marks.begins[m], marks.begins[m + 1]):
@@ -100,7 +103,7 @@ def gather(
                                 pose[r] + pose[3 + 3 * r] * x + pose[4 + 3 * r] * y + pose[5 + 3 * r] * z
                             )
                         corners += 1
-                    corners = within_planes(placed, k, f, polygon, corners, work)
+                    corners = within_planes(planes, first_face, end_face, f, polygon, corners, work)
                     corners = in_picture(polygon, corners, wide, high, work)
                 if corners < FEWEST_CORNERS:
                     if m < first:
@@ -112,8 +115,8 @@ def gather(
                     points[at, 0] = polygon[i, 0] / (polygon[i, 2] * wide)
                     points[at, 1] = polygon[i, 1] / (polygon[i, 2] * high)
                     at += 1
-                owner[written], face[written] = placed.owner[k], paint if m < first else faces + m
-                normal[written] = placed.planes[f, :3]
+                owner[written], face[written] = own, paint if m < first else faces + m
+                normal[written, 0], normal[written, 1], normal[written, 2] = planes[f, 0], planes[f, 1], planes[f, 2]
                 written += 1
                 begins[written] = at
     return written

@@ -197,7 +197,7 @@ def _bisectors(clusters: tuple[Cluster, ...], given: Arguments) -> Iterator[Bise
     for i, j in given.bisected.tolist():
         f, g = given.frame[i], given.frame[j]
         n = bisector(given.poses, f, g)
-        along = extent(given.placed, i, j, n)
+        along = extent(given.placed.points, given.placed.first_point, i, j, n)
         cosine = float(given.poses[f, 3::3] @ given.poses[g, 3::3])
         valid = bool(dot(n, n) > 0.0 and along.b - along.a >= -TOLERANCE)
         yield Bisector(clusters[i].part, clusters[j].part, math.acos(max(-1.0, min(1.0, cosine))), valid)

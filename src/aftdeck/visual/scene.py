@@ -24,8 +24,8 @@ from aftdeck.visual.lists import permanent_list
 from aftdeck.visual.order import (
     COMPARED,
     CUTS,
-    ENTERED,
     FIRST,
+    HIDING,
     INSIDE,
     MOST_CUTS,
     OVERLAPS,
@@ -36,7 +36,6 @@ from aftdeck.visual.order import (
     ordered,
 )
 from aftdeck.visual.outlines import NEAR
-from aftdeck.visual.placing import Memory
 from aftdeck.visual.polygons import MOST_POLYGONS, Polygons
 from aftdeck.visual.store import Store
 from aftdeck.visual.trees import Forest
@@ -102,7 +101,7 @@ class Arguments(NamedTuple):
     forest: Forest
     listed: Mask
     rank: Indices
-    memory: Memory
+    memory: Array
     entries: Entries
     table: Indices
     notes: Indices
@@ -213,8 +212,7 @@ class VisualScene:
     def hidden_pairs(self) -> list[tuple[int, int]]:
         """Return the pairs of clusters of the last picture of which the first hides a part of the second."""
         entries, owner = self._work.entries, self._work.placed.owner
-        count = int(self._work.notes[ENTERED])
-        pairs = np.argwhere(entries.hides[:count, :count]).tolist()
+        pairs = sorted(map(tuple, entries.pairs[: self._work.notes[HIDING]].tolist()))
         return [(int(owner[entries.body[a]]), int(owner[entries.body[b]])) for a, b in pairs]
 
     def polygons(self, frame: Frame, aim: Aim) -> Polygons:

@@ -63,7 +63,7 @@ def _within(bound: Polyhedron, planes: Array) -> Polyhedron | None:
     """Return the part of a polyhedron inside all planes (n, 4); None if the planes do not bound it on all sides."""
     store, k = store_of([bound], _ROOM), 0
     for plane in planes:
-        if position_of(store, k, plane) != BELOW:
+        if position_of(store.points, store.first_point[k], store.first_point[k + 1], plane) != BELOW:
             k = part_of(store, k, plane, 1.0)
             if k == FULL:
                 return None

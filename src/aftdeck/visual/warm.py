@@ -3,12 +3,15 @@
 from __future__ import annotations
 
 from aftdeck.law import interpreted
+from aftdeck.scenario.light import conditions
 from aftdeck.scenario.load import load_scenario
 from aftdeck.simulation.inputs import Inputs
 from aftdeck.simulation.run import Simulation
+from aftdeck.visual.picture import picture_of
+from aftdeck.visual.png import pixels
 from aftdeck.visual.scene import VisualScene
 
-FILES = 73
+FILES = 81
 """Number of files with their machine code; `tests/test_law_change.py` counts them."""
 
 
@@ -17,8 +20,7 @@ def warm_up() -> None:
     scenario = load_scenario("concept-1972")
     with interpreted():  # one step
         frame = Simulation(scenario).step(Inputs())
-    scene = VisualScene(scenario)
-    scene.polygons(frame, scene.aim(frame, "A", 1.0))
+    pixels(picture_of(VisualScene(scenario), frame, "A", (100, 100), "colour", conditions()[0]))
 
 
 if __name__ == "__main__":

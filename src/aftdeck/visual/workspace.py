@@ -11,7 +11,6 @@ from aftdeck.visual.cutting import FULL
 from aftdeck.visual.marks import Marks
 from aftdeck.visual.order import NOTES, Entries
 from aftdeck.visual.outlines import MOST_POINTS
-from aftdeck.visual.placing import Memory
 from aftdeck.visual.polygons import MOST_POLYGONS, Polygons, gather
 from aftdeck.visual.store import Polyhedron, store_of
 
@@ -42,12 +41,12 @@ class Workspace:
             np.empty(ENTRIES, np.int64),
             np.empty((ENTRIES, 4)),
             np.empty(ENTRIES, np.uint8),
-            np.empty((ENTRIES, ENTRIES), np.int8),
+            np.empty((ENTRIES * ENTRIES // 2, 2), np.int64),
         )
         self.table = np.empty(ENTRIES, np.int64)
         self.notes = np.empty(NOTES, np.int64)
         self._clusters = len(bodies)
-        self._memories: dict[str, Memory] = {}
+        self._memories: dict[str, Array] = {}
         self._polygons = Polygons(
             np.empty((8 * MOST_POLYGONS, 2)),
             np.empty(MOST_POLYGONS + 1, np.int64),
@@ -56,12 +55,11 @@ class Workspace:
             np.empty((MOST_POLYGONS, 3)),
         )
 
-    def memory(self, camera: str) -> Memory:
+    def memory(self, camera: str) -> Array:
         """Return a camera's memory of separating planes; no order depends on it."""
         if camera not in self._memories:
             slots = self._clusters + SLOTS
-            self._memories[camera] = Memory(np.zeros((slots, slots, 3)), np.zeros(slots, np.int64))
-            self._memories[camera].owner[: self._clusters] = np.arange(self._clusters)
+            self._memories[camera] = np.zeros((slots, slots, 3))
         return self._memories[camera]
 
     def polygons(
