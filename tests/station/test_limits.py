@@ -316,3 +316,19 @@ def test_equal_lines_are_printed_once_and_counted(capsys: pytest.CaptureFixture[
     assert capsys.readouterr().err == "aftdeck: 999 more like this in 60 s: page 999\n"
     handler._report("page %d")
     assert capsys.readouterr().err == ""
+
+
+def test_counted_lines_are_printed_when_the_server_ends(capsys: pytest.CaptureFixture[str]) -> None:
+    handler = TerseHandler()
+    for text, count in (("page %d", 3), ("once %d", 1)):
+        for k in range(count):
+            handler.handle(logging.makeLogRecord({"msg": text, "args": (k,), "levelno": logging.WARNING}))
+    timers = list(handler._timers.values())
+    capsys.readouterr()
+    handler.flush()
+    assert capsys.readouterr().err == "aftdeck: 2 more like this: page 2\n"
+    for timer in timers:
+        timer.join(10.0)
+        assert not timer.is_alive(), "nothing is printed later"
+    handler.flush()
+    assert capsys.readouterr().err == ""

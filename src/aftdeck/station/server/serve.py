@@ -27,7 +27,7 @@ from aftdeck.station.server.access import Access, access_of, shown_host
 from aftdeck.station.server.app import make_app
 from aftdeck.station.server.console import TerminalConsole
 from aftdeck.station.server.guard import BACKLOG, MAX_REQUEST, GuardedHttp, GuardedSocket
-from aftdeck.station.server.terse_log import install
+from aftdeck.station.server.terse_log import flush, install
 from aftdeck.station.session.preparation import Preparation
 from aftdeck.station.session.session import Session
 
@@ -143,10 +143,21 @@ def run_server(server: uvicorn.Server, listener: socket.socket, opened: str | No
         signal.signal(signal.SIGINT, before)
 
 
-def make_server(app: Starlette) -> uvicorn.Server:
+class Server(uvicorn.Server):
+    """Web server; when it ends, no line of its log is left to be printed."""
+
+    def run(self, sockets: list[socket.socket] | None = None) -> None:
+        """Serve until the server is to end."""
+        try:
+            super().run(sockets)
+        finally:
+            flush()
+
+
+def make_server(app: Starlette) -> Server:
     """Return the web server of an app, with the limits of `guard.py`."""
     install()
-    return uvicorn.Server(
+    return Server(
         uvicorn.Config(
             app,
             log_config=None,

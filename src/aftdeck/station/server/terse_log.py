@@ -27,6 +27,7 @@ class TerseHandler(logging.Handler):
         super().__init__(logging.WARNING)
         self._more: dict[str, int] = {}
         self._last: dict[str, str] = {}
+        self._timers: dict[str, Timer] = {}
 
     def emit(self, record: logging.LogRecord) -> None:
         """Print or count a line."""
@@ -40,13 +41,25 @@ class TerseHandler(logging.Handler):
             self._wait(text)
 
     def _wait(self, text: str) -> None:
-        timer = Timer(SILENCE, self._report, (text,))
+        timer = self._timers[text] = Timer(SILENCE, self._report, (text,))
         timer.daemon = True
         timer.start()
+
+    def flush(self) -> None:
+        """Print at once what has been counted, and count anew; a server calls this when it ends."""
+        with self.lock or logging._lock:  # type: ignore[attr-defined]
+            timers, more, last = self._timers, self._more, self._last
+            self._timers, self._more, self._last = {}, {}, {}
+        for timer in timers.values():
+            timer.cancel()
+        for text, count in more.items():
+            if count:
+                print_error(f"{count} more like this: {last[text]}")
 
     def _report(self, text: str) -> None:
         with self.lock or logging._lock:  # type: ignore[attr-defined]
             more, last = self._more.pop(text, 0), self._last.pop(text, "")
+            self._timers.pop(text, None)
             if more:
                 self._more[text] = 0
         if more:
@@ -55,6 +68,11 @@ class TerseHandler(logging.Handler):
 
 
 _handler = TerseHandler()
+
+
+def flush() -> None:
+    """Print at once what the handler has counted."""
+    _handler.flush()
 
 
 def install() -> None:
