@@ -81,7 +81,7 @@ def _picture(picture: Picture) -> Image.Image:
     large = Image.fromarray(rows) if grey else Image.new("RGB", rows.shape[::-1], BACKGROUND)
     large.readonly = False  # greys are painted into `rows`
     draw = ImageDraw.Draw(large)
-    seen = np.empty(len(picture.owner), np.uint8)
+    seen = np.empty(len(picture.begins) - 1, np.uint8)
     mark_uncovered(picture.points, picture.begins, seen)
     corners, begins = (_FINER * picture.points - 0.5).ravel().tolist(), (2 * picture.begins).tolist()
     colours = picture.colours[:, 0].tolist() if grey else list(map(tuple, picture.colours.tolist()))
@@ -108,7 +108,8 @@ def _bands(picture: Picture) -> list[tuple[int, int]]:
     upper = [y + room for y in lines if 2.0 * y < picture.height]
     lower = [y - room for y in lines if 2.0 * y >= picture.height]
     end, begin = (_FINER * round(y) for y in (max(upper, default=0.0), min(lower, default=picture.height)))
-    return [(0, height)] if picture.failure or end >= begin else [(0, end), (begin, height)]
+    bands = [(0, height)] if picture.failure or end >= begin else [(0, end), (begin, height)]
+    return [(top, bottom) for top, bottom in bands if top < bottom]
 
 
 def _write(image: Image.Image, picture: Picture, top: int, bottom: int) -> None:
