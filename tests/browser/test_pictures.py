@@ -15,16 +15,22 @@ from tests.pages import PAGES
 
 LISTED = [Part("Restart", 900, 10), Part("Steady", 20, 700), Part("# in", 60, 700)]
 
+TRIES = 3
+"""Number of tries: on a busy machine a page has one more lamp, which says that it is late."""
+
 
 @pytest.mark.browser
 @pytest.mark.slow
 @pytest.mark.parametrize("name", PICTURES)
 def test_picture_shows_todays_page(name: str, browser: Browser, tmp_path: Path) -> None:
-    picture = PICTURES[name]
-    with running_station(scenario_file(picture, tmp_path)) as address:
-        page = open_page(browser, address, picture)
-        found = [*differences(read(FOLDER / f"{name}.json"), parts_of(page))]
-        page.close()
+    picture, found = PICTURES[name], ["not compared"]
+    for _ in range(TRIES):
+        if not found:
+            break
+        with running_station(scenario_file(picture, tmp_path)) as address:
+            page = open_page(browser, address, picture)
+            found = [*differences(read(FOLDER / f"{name}.json"), parts_of(page))]
+            page.close()
     again = f"the page has changed since its picture; `python scripts/pictures.py {name}` makes the picture again"
     assert not found, "\n".join([again, *found])
 
