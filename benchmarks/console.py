@@ -90,6 +90,5 @@ def _of(name: str, size: Size) -> list[Figure]:
             time.sleep(0.05)
         found += session.worst(f"{name}, 20 random lines a second")
     finally:
-        session.close()
         driver.close()
     return found

@@ -49,6 +49,12 @@ def other(x):
     return Pair(x, math.sqrt(x))
 """
 
+CALLS_ITSELF = """
+@law
+def other(x):
+    return other(x - 1) if x > 0 else 0
+"""
+
 
 def digests(text: str) -> dict[str, str]:
     """Return the digests of the laws of a module with this text."""
@@ -86,6 +92,14 @@ def test_digest_changes_with_what_a_law_uses(old: str, new: str, changed: set[st
     assert TEXT.count(old) == 1
     before, after = digests(TEXT), digests(TEXT.replace(old, new))
     assert {name for name in before if before[name] != after[name]} == changed
+
+
+def test_law_may_call_itself_and_laws_in_a_circle_are_an_error() -> None:
+    before, after = digests(TEXT + CALLS_ITSELF), digests(TEXT + CALLS_ITSELF.replace("- 1", "- 2"))
+    assert {name for name in before if before[name] != after[name]} == {"other"}
+    with pytest.raises(TypeError, match="circle"):
+        digests(TEXT.replace("return FACTOR * x", "return outer(x)"))
+    assert digests(TEXT) == digests(TEXT), "nothing is left of the error"
 
 
 class _Backward(NamedTuple):

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import enum
 import hashlib
+import threading
 from collections.abc import Callable, Iterator
 from types import BuiltinFunctionType, CodeType, FunctionType, ModuleType
 from typing import Any, NamedTuple
@@ -18,6 +19,9 @@ import numpy as np
 _OWN = "aftdeck"
 _known: dict[FunctionType, str] = {}
 """Digests of functions, which do not change in a process."""
+_open: list[FunctionType] = []
+"""Functions whose digests are being computed, each used by the one before it."""
+_lock = threading.RLock()
 
 
 class Options(NamedTuple):
@@ -31,14 +35,22 @@ def digest_of(function: Callable[..., Any]) -> str:
     """Return the digest of a function and of all that it uses.
 
     Raises:
-        TypeError: it names a value of which no digest is known.
+        TypeError: it names a value of which no digest is known, or functions call each other in a circle.
     """
     assert isinstance(function, FunctionType)
-    found = _known.get(function)
-    if found is None:
-        _known[function] = "itself"  # for a function that calls itself
-        found = _known[function] = hashlib.sha256("\n".join(_parts(function)).encode()).hexdigest()[:32]
-    return found
+    with _lock:
+        if function in _known:
+            return _known[function]
+        if function in _open:
+            if function is _open[-1]:
+                return "itself"
+            raise TypeError(f"laws call each other in a circle: {', '.join(one.__name__ for one in _open)}")
+        _open.append(function)
+        try:
+            _known[function] = hashlib.sha256("\n".join(_parts(function)).encode()).hexdigest()[:32]
+        finally:
+            _open.pop()
+        return _known[function]
 
 
 def digest_of_types(types: Any) -> str:
@@ -53,6 +65,7 @@ def _parts(function: FunctionType) -> Iterator[str]:
     """Yield what the digest of a function is made of."""
     yield from _code(function.__code__, function.__doc__)
     yield from map(_value, function.__defaults__ or ())
+    yield from (f"{name}={_value(value)}" for name, value in (function.__kwdefaults__ or {}).items())
     yield from (_value(cell.cell_contents) for cell in function.__closure__ or ())
     names = sorted(set(_names(function.__code__)))
     for name in names:

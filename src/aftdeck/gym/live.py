@@ -1,7 +1,7 @@
 """Station that shows the episodes of an environment while they last, to pages on this machine.
 
 The station flies a session of its own, with the scenario and the inputs of the episode. Its numbers are those of the
-environment, bit for bit. Pages observe; they cannot fly.
+environment, bit for bit. A page of it is an observer and cannot take control.
 """
 
 from __future__ import annotations
@@ -107,7 +107,7 @@ class LiveStation:
         Raises:
             SimulationError: the session does not fly these inputs.
         """
-        assert self._driver is not None, "an episode has begun"
+        assert self._driver is not None, "`begin` was called"
         self._inputs = inputs
         self._pace.step()
         self._driver.step()
@@ -159,7 +159,7 @@ class LiveStation:
         self._pages.wake()
 
     def _notify(self) -> None:
-        """Send the pages what is new."""
+        """Let the server send the newest frame to the pages."""
         if self._loop is not None and self._pages is not None:
             with contextlib.suppress(RuntimeError):  # the loop is closed
                 self._loop.call_soon_threadsafe(self._pages.wake)

@@ -69,9 +69,9 @@ def constants_with(base: Flight, changes: tuple[str, ...], *, gauged: bool) -> F
     return base if scenario is base.scenario else run_constants(scenario, gauged=gauged)
 
 
-def make(begun: Scenario, changes: tuple[str, ...]) -> Made:
+def make(scenario: Scenario, changes: tuple[str, ...]) -> Made:
     """Return the constants of a run without gauges; arguments and errors as for `scenario.load.in_force`."""
-    return Made(changes, run_constants(in_force(begun, changes)))
+    return Made(changes, run_constants(in_force(scenario, changes)))
 
 
 def changes_in(saved: bytes) -> tuple[str, ...]:

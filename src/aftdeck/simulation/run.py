@@ -191,7 +191,8 @@ class Simulation:
 
         Args:
             changes: values by their keys, as in `Inputs.changes`.
-            made: constants of the run with the changes, made elsewhere; others than those needed are not used.
+            made: constants that another process has made; they are used if they contain exactly the changes that are
+                then in force.
 
         Returns:
             The scenario that will then be in force.

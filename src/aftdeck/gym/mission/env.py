@@ -7,13 +7,11 @@ from functools import lru_cache
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, ClassVar
 
-import gymnasium
-
 from aftdeck.errors import InputError, ScenarioError
 from aftdeck.export.pictures import Pixels
 from aftdeck.files import Where
 from aftdeck.gym.actions import checked, clipped
-from aftdeck.gym.choices import PLANTS, no_options, not_rendered, one_of, rendered
+from aftdeck.gym.choices import PLANTS, no_options, one_of
 from aftdeck.gym.mission import definition
 from aftdeck.gym.mission.actions import inputs_of, repeats_of
 from aftdeck.gym.mission.definition import CAPTURE, DOCK, EXTRACT, Mission
@@ -21,6 +19,7 @@ from aftdeck.gym.mission.episode import started
 from aftdeck.gym.mission.observation import Observer
 from aftdeck.gym.mission.starts import Starts, base_of, step_of
 from aftdeck.gym.picture import HEIGHT, MODES, WIDTH, Pictures
+from aftdeck.gym.shown import ShownEnv
 from aftdeck.gym.terms import Floats32, action_space
 from aftdeck.scenario.load import load_scenario
 from aftdeck.scenario.model import Scenario, Start
@@ -34,13 +33,13 @@ from aftdeck.task.remaining import Aims, Remaining
 from aftdeck.visual.picture import Look
 
 if TYPE_CHECKING:
-    from aftdeck.gym.live import LiveStation
+    pass
 
 _TRIES = 100
 """Greatest number of random starts that are tried until one has no contact."""
 
 
-class MissionEnv(gymnasium.Env[Floats32, Floats32]):
+class MissionEnv(ShownEnv):
     """One step of a scenario's task, from a random start near the place to which it leads.
 
     A step of the environment makes several control steps with the same sticks. ``info["is_success"]`` tells in every
@@ -61,7 +60,6 @@ class MissionEnv(gymnasium.Env[Floats32, Floats32]):
     Attributes:
         start: random start of the present episode; None before the first.
         stepped: function that is called with the simulation after each control step of `step`; None for none.
-        station: station that shows the episodes; None unless the mode is ``human``.
 
     Raises:
         InputError: an argument is not allowed, or the scenario has no such step; the message states what is allowed.
@@ -84,7 +82,8 @@ class MissionEnv(gymnasium.Env[Floats32, Floats32]):
         width: int = WIDTH,
         height: int = HEIGHT,
     ) -> None:
-        self.render_mode, self._clips = rendered(render_mode, MODES), clip_actions
+        super().__init__(render_mode)
+        self._clips = clip_actions
         one_of("plant", plant, PLANTS)
         loaded = _built_in(self.mission.scenario, plant) if scenario is None else _loaded(scenario, plant)
         self._repeats = repeats_of(loaded)
@@ -102,13 +101,8 @@ class MissionEnv(gymnasium.Env[Floats32, Floats32]):
         self.start: Start | None = None
         self.stepped: Callable[[Simulation], None] | None = None
         self._pictures: Pictures | None = None
-        self.station: LiveStation | None = None
         if self.render_mode == "rgb_array":
             self._pictures = Pictures(loaded, camera, self.mission.cameras[:1], look, width, height)
-        elif self.render_mode == "human":
-            from aftdeck.gym.live import LiveStation  # noqa: PLC0415  (a web server, which no other mode needs)
-
-            self.station = LiveStation()
 
     @property
     def simulation(self) -> Simulation:
@@ -173,22 +167,9 @@ class MissionEnv(gymnasium.Env[Floats32, Floats32]):
         over = success or (contact and self.mission.contact_ends)
         return self._observer.of(frame, self._left), reward, over, False, {"is_success": success}
 
-    def render(self) -> Pixels | None:
-        """Return the picture (height, width, 3) of the camera; None if the mode is ``human``.
-
-        Raises:
-            InputError: the environment was made without pictures.
-        """
-        if self._pictures is not None:
-            return self._pictures.draw(self._sim.look())
-        if self.station is None:
-            raise not_rendered()
-        return None
-
-    def close(self) -> None:
-        """End the station, if there is one."""
-        if self.station is not None:
-            self.station.close()
+    def _picture(self) -> Pixels:
+        assert self._pictures is not None, "the mode is rgb_array"
+        return self._pictures.draw(self._sim.look())
 
     def _begin(self) -> Frame:
         """Restart the simulation at a random start without a contact, and return its first frame."""

@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any, Protocol
+from typing import Any, Protocol
 
-import gymnasium
 import numpy as np
 
 from aftdeck.arrays import Array
@@ -12,7 +11,7 @@ from aftdeck.errors import InputError
 from aftdeck.export.pictures import Pixels
 from aftdeck.frames import Pose
 from aftdeck.gym.actions import checked, clipped
-from aftdeck.gym.choices import PLANTS, no_options, not_rendered, one_of, rendered
+from aftdeck.gym.choices import PLANTS, no_options, one_of
 from aftdeck.gym.picture import HEIGHT, MODES, WIDTH
 from aftdeck.gym.reach import definition
 from aftdeck.gym.reach.batch import ReachBatch
@@ -20,13 +19,11 @@ from aftdeck.gym.reach.goals import episode_scenario
 from aftdeck.gym.reach.layout import DISABLED
 from aftdeck.gym.reach.picture import ReachPictures
 from aftdeck.gym.reach.simulated import SimulatedReach
+from aftdeck.gym.shown import ShownEnv
 from aftdeck.gym.terms import Floats32, action_space, observation_space
 from aftdeck.scenario.schema import Plant
 from aftdeck.simulation.inputs import Inputs
 from aftdeck.visual.picture import Look
-
-if TYPE_CHECKING:
-    from aftdeck.gym.live import LiveStation
 
 
 class Reach(Protocol):
@@ -68,7 +65,7 @@ class KinematicReach:
         return self._batch.angles()[0], self._batch.goals()[0]
 
 
-class ReachEnv(gymnasium.Env[Floats32, Floats32]):
+class ReachEnv(ShownEnv):
     """Move the tip of the Shuttle's arm to a random pose with the hand controllers, in the mode ORB UNL.
 
     Args:
@@ -80,9 +77,6 @@ class ReachEnv(gymnasium.Env[Floats32, Floats32]):
         look: look of its pictures: ``colour``, or ``1972`` for greys and raster lines.
         width: width of its pictures [pixels].
         height: height of its pictures [pixels].
-
-    Attributes:
-        station: station that shows the episodes; None unless the mode is ``human``.
 
     Raises:
         InputError: an argument is not allowed; the message states the allowed values.
@@ -102,20 +96,16 @@ class ReachEnv(gymnasium.Env[Floats32, Floats32]):
         width: int = WIDTH,
         height: int = HEIGHT,
     ) -> None:
-        self.render_mode, self._clips = rendered(render_mode, MODES), clip_actions
+        super().__init__(render_mode)
+        self._clips = clip_actions
         self.observation_space = observation_space(definition.OBSERVATIONS)
         self.action_space = action_space(definition.CONTROLS)
         self._plant = one_of("plant", plant, PLANTS)
         self._reach: Reach = KinematicReach() if self._plant == "kinematic" else SimulatedReach(self._plant)
         self._begun = False
         self._pictures: ReachPictures | None = None
-        self.station: LiveStation | None = None
         if self.render_mode == "rgb_array":
             self._pictures = ReachPictures(camera, look, width, height)
-        elif self.render_mode == "human":
-            from aftdeck.gym.live import LiveStation  # noqa: PLC0415  (a web server, which no other mode needs)
-
-            self.station = LiveStation()
 
     def reset(
         self, *, seed: int | None = None, options: dict[str, Any] | None = None
@@ -145,19 +135,6 @@ class ReachEnv(gymnasium.Env[Floats32, Floats32]):
             self.station.step(Inputs(translation=(x, y, z), rotation=(roll, pitch, yaw)))
         return observation, reward, reached, False, {"is_success": reached}
 
-    def render(self) -> Pixels | None:
-        """Return the picture (height, width, 3) of the camera; None if the mode is ``human``.
-
-        Raises:
-            InputError: the environment was made without pictures.
-        """
-        if self._pictures is not None:
-            return self._pictures.at(*self._reach.now())
-        if self.station is None:
-            raise not_rendered()
-        return None
-
-    def close(self) -> None:
-        """End the station, if there is one."""
-        if self.station is not None:
-            self.station.close()
+    def _picture(self) -> Pixels:
+        assert self._pictures is not None, "the mode is rgb_array"
+        return self._pictures.at(*self._reach.now())

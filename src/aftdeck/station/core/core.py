@@ -200,6 +200,7 @@ class Core:
         try:
             answer = self._console.reply(line, self._now(may_set=may_set))
             if answer.changes:
+                # the step then has both at hand: the constants of the run, and what the pages receive
                 changed_of(self._sim.prepare(self.desk.changes | answer.changes, answer.made))
                 self.change(answer.changes)
         except InputError as error:

@@ -46,7 +46,7 @@ class TerseHandler(logging.Handler):
         timer.start()
 
     def flush(self) -> None:
-        """Print at once what has been counted, and count anew; a server calls this when it ends."""
+        """Print at once how many lines have been counted, and reset the counts. A server calls this when it ends."""
         with self.lock or logging._lock:  # type: ignore[attr-defined]
             timers, more, last = self._timers, self._more, self._last
             self._timers, self._more, self._last = {}, {}, {}
@@ -71,7 +71,7 @@ _handler = TerseHandler()
 
 
 def flush() -> None:
-    """Print at once what the handler has counted."""
+    """Print at once how many lines the handler has counted."""
     _handler.flush()
 
 
