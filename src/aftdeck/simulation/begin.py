@@ -25,7 +25,7 @@ from aftdeck.simulation.payloads.forces import held_by
 from aftdeck.simulation.payloads.grasp import attach, carried_by, set_effector
 from aftdeck.simulation.payloads.objective import holding
 from aftdeck.simulation.payloads.relations import permitted
-from aftdeck.simulation.payloads.task_phases import change_task
+from aftdeck.simulation.payloads.task_phases import change_task, task_of
 from aftdeck.simulation.state import State, new_state
 from aftdeck.steering.layout import KEPT, MASTER, RATES, TWIST
 from aftdeck.steering.mode import MODES
@@ -111,7 +111,7 @@ def initialise(flight: Flight, state: State, part: Part) -> None:
         state.panel.mode = "ORB UNL"  # the present mode needs a payload, but the arm holds none
     log.add("initialise", "info", f"initialised to {part}")
     state.worksite.task = task
-    change_task(flight.site, state.worksite, log)
+    change_task(state.worksite, task_of(flight.site, state.worksite), log)
     if state.tick > 1:  # in the first step, `operate` calls `make_ready`
         make_ready(flight.scenario.sequences, state)
 
@@ -161,4 +161,4 @@ def _set_to_start(flight: Flight, state: State, start: Start) -> None:
     worksite.contacts.update(worksite.watch.found, site.by_prong, worksite.task)
     count(site, worksite, flight.within)
     worksite.nearest = worksite.watch.nearest(worksite.watch.counts)
-    change_task(site, worksite, state.log(scenario.control_period))
+    change_task(worksite, task_of(site, worksite), state.log(scenario.control_period))

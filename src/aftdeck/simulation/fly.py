@@ -13,6 +13,8 @@ from aftdeck.simulation.operator.holds import hold_position
 from aftdeck.simulation.operator.panel import operate
 from aftdeck.simulation.payloads.disturbances import disturb
 from aftdeck.simulation.payloads.surroundings import surroundings
+from aftdeck.simulation.period.period import STEERED
+from aftdeck.simulation.period.quick import quick_step
 from aftdeck.simulation.state import State
 from aftdeck.simulation.work import update_worksite
 from aftdeck.steering.course import start_motion
@@ -25,10 +27,10 @@ def fly(flight: Flight, state: State, log: Log, inputs: Inputs) -> None:
     """Make one control step of a rehearsal, from the arm's measured state."""
     state.measure()
     operate(flight, state, log, inputs)
-    go(flight, state, log, inputs)
+    go(flight, state, log, inputs, observes=False)
 
 
-def go(flight: Flight, state: State, log: Log, inputs: Inputs) -> None:
+def go(flight: Flight, state: State, log: Log, inputs: Inputs, *, observes: bool) -> int:
     """Steer, limit the motion to what contacts and berths allow, and move the plant and the worksite.
 
     Args:
@@ -37,29 +39,43 @@ def go(flight: Flight, state: State, log: Log, inputs: Inputs) -> None:
         log: log of the step.
         inputs: the operator's inputs; only those for telescope, orbiter, end effector and latches are used here. The
             sticks and the selected mode are in `state.command`.
+        observes: as for `period.period.advance`.
+
+    Returns:
+        How far compiled code has made the step (`period.period.advance`).
     """
-    # plan an automatic motion in the step in which it begins
     if state.panel.sequence != "in progress":
         state.command[MOTION_ACTIVE] = 0.0
-    elif state.command[MOTION_ACTIVE] == 0.0:
+    hold_position(flight.plant, state)
+    if state.plant.bodies is None:
+        reached = quick_step(flight, state, inputs, observes=observes)
+    else:
+        reached = STEERED
+        _steer(state)
+    complete(flight, state, log, inputs, reached)
+    return reached
+
+
+def complete(flight: Flight, state: State, log: Log, inputs: Inputs, reached: int) -> None:
+    """Complete a step that compiled code has made as far as `reached`; the other arguments are those of `go`."""
+    if reached == STEERED:
+        # limit the motion to what contacts, berths and walls allow; move the plant, with what disturbs it
+        rates = state.steering[RATES : RATES + len(state.plant.angles)]
+        telescope = limit_motion(flight, state, rates, inputs.telescope)
+        disturb(flight, state, log, inputs)
+        move_plant(flight, state, log, inputs, rates, telescope)
+        if state.plant.bodies is not None:
+            watch_stop(flight, state, log, state.plant.bodies)
+    update_worksite(flight, state, log, inputs, reached)
+
+
+def _steer(state: State) -> None:
+    """Plan an automatic motion in the step in which it begins, and compute the commanded joint rates."""
+    if state.panel.sequence == "in progress" and state.command[MOTION_ACTIVE] == 0.0:
         start_motion(state.rules_under_way, state.command, state.steering)
         if state.command[MOTION_ACTIVE] != 0.0:
             state.panel.motion_began = state.tick - 1
-    hold_position(flight.plant, state)
-
-    # compute the commanded joint rates
     msteer(state.rules, state.command, state.steering, state.report)
-    rates = state.steering[RATES : RATES + len(state.plant.angles)]
-
-    # limit the motion to what contacts, berths and walls allow
-    telescope = limit_motion(flight, state, rates, inputs.telescope)
-
-    # move the plant, with what disturbs it, then the worksite: contacts, captures, berths
-    disturb(flight, state, log, inputs)
-    move_plant(flight, state, log, inputs, rates, telescope)
-    if state.plant.bodies is not None:
-        watch_stop(flight, state, log, state.plant.bodies)
-    update_worksite(flight, state, log, inputs)
 
 
 def move_plant(flight: Flight, state: State, log: Log, inputs: Inputs, rates: Array, telescope: float) -> None:

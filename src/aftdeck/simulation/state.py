@@ -21,6 +21,7 @@ from aftdeck.simulation.parts.carried import SteeringSetup
 from aftdeck.simulation.parts.checking import Checking, Premises
 from aftdeck.simulation.parts.standing import Standing
 from aftdeck.simulation.parts.worksite_state import WorksiteState, new_worksite_state
+from aftdeck.simulation.row.row import row_of
 from aftdeck.state_part import StatePart, copied
 from aftdeck.steering.layout import COMMAND, MOTION_ACTIVE, REPORT, STATE
 from aftdeck.steering.mode import AUTOMATIC_LAWS, MODES, LawChoice
@@ -104,7 +105,7 @@ class Script(StatePart):
     ended: Literal["", "completed", "time", "fault"] = ""
 
 
-class State(StatePart):
+class State(StatePart, dict=True):
     """Whole state of the simulation. `steering.layout` defines its arrays.
 
     Attributes:
@@ -128,6 +129,7 @@ class State(StatePart):
         ways_out: escape directions from nearby singularities, from exceeded joint limits and from contacts.
         events: log lines of the present step.
         changes: changes in flight that are in force, each as KEY=VALUE (`scenario.in_flight`).
+        row: flat arrays that contain most of the arrays above, for compiled code; not a field of the state.
     """
 
     panel: Panel
@@ -151,6 +153,10 @@ class State(StatePart):
     events: list[Event] = msgspec.field(default_factory=list)
     changes: tuple[str, ...] = ()
 
+    def __post_init__(self) -> None:
+        """Move the arrays into a row, which compiled code takes."""
+        self.row = row_of(self)
+
     def fork(self) -> State:
         """Return an independent copy of this state, without CMD CK, for a rehearsal on the kinematic plant."""
         copy = copied(self)
@@ -164,6 +170,7 @@ class State(StatePart):
         """
         for name in ("panel", "carried", "plant", "worksite", "steering", "views", "command", "report", "checking"):
             setattr(self, name, getattr(other, name))
+        self.row.take(self)
 
     def measure(self) -> None:
         """Copy the plant's angles and rates to `steering`. Steering laws, plans and checks start from them."""
@@ -175,9 +182,14 @@ class State(StatePart):
 
     @property
     def rules(self) -> Array:
-        """Steering rules in force. While no automatic motion is in progress, law 2's rules replace those of law 1."""
+        """Steering rules in force."""
+        return self.rules_at_rest if self.command[MOTION_ACTIVE] == 0.0 else self.rules_under_way
+
+    @property
+    def rules_at_rest(self) -> Array:
+        """Steering rules while no automatic motion is in progress: those of law 2 replace those of law 1."""
         panel, law = self.panel, self.panel.flown
-        if law == AUTOMATIC_LAWS["position"] and self.command[MOTION_ACTIVE] == 0.0:
+        if law == AUTOMATIC_LAWS["position"]:
             law = AUTOMATIC_LAWS["closed loop"]
         return self.carried.rules[panel.mode, panel.rate, law]
 

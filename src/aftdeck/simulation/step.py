@@ -12,6 +12,7 @@ from aftdeck.simulation.operator.command_delay import delayed
 from aftdeck.simulation.operator.panel import operate
 from aftdeck.simulation.operator.script import end_if_time_is_up, hand_over, phase_name, play
 from aftdeck.simulation.payloads.alignment import count
+from aftdeck.simulation.period.period import COUNTED
 from aftdeck.simulation.state import State
 
 
@@ -50,16 +51,17 @@ def step(flight: Flight, state: State, inputs: Inputs | None) -> Inputs:
     check(flight, state, log)
 
     # steering commands the joint rates; contacts and berths limit these rates; the plant and the worksite move
-    go(flight, state, log, inputs)
+    reached = go(flight, state, log, inputs, observes=True)
     if inputs.camera is not None:
         state.views = flight.cameras.driven(state.views, inputs.camera, flight.scenario.control_period)
         state.panel.camera = inputs.camera.camera
 
     # select the pairs that count for the minimum clearance of the next step
-    count(flight.site, state.worksite, flight.within)
+    if reached < COUNTED:
+        count(flight.site, state.worksite, flight.within)
 
     # log the events of the arm; end a script whose time is up
-    log_arm_events(flight, state, log)
+    log_arm_events(flight, state, log, observed=reached == COUNTED)
     if state.by_script:
         end_if_time_is_up(flight, state)
     return inputs

@@ -21,7 +21,7 @@ from aftdeck.simulation.payloads.fixing import conditions_at
 from aftdeck.simulation.payloads.grasp import NEAR, attach, carried_by, empty_grasp, start_free_flight
 from aftdeck.simulation.payloads.objective import present_objective
 from aftdeck.simulation.payloads.sliding import slide_along
-from aftdeck.simulation.payloads.task_phases import change_task
+from aftdeck.simulation.payloads.task_phases import change_task, task_of
 from aftdeck.simulation.state import State
 from aftdeck.simulation.step import step
 from aftdeck.state_part import digest
@@ -66,7 +66,7 @@ def _carry(flight: Flight, state: State) -> None:
     worksite.payloads[0].berth = ""
     attach(site, worksite, 0)
     state.carried = carried_by(flight.scenario, flight.site, state.worksite, state.script)
-    change_task(site, worksite, log)
+    change_task(worksite, task_of(site, worksite), log)
     frame_of(flight, state, digest(state))
     worksite.watch.update(worksite.frames, worksite.frames, flight.scenario.control_period)
     state.steering[TWIST : TWIST + 6] = FAR  # the payload could then reach every wall in the next step

@@ -26,7 +26,10 @@ from aftdeck.simulation.payloads.grasp import carried_by
 from aftdeck.simulation.payloads.jets import translation_rejection
 from aftdeck.simulation.payloads.relations import permitted
 from aftdeck.simulation.payloads.surroundings import follow_bodies
-from aftdeck.simulation.payloads.task_phases import change_task
+from aftdeck.simulation.payloads.task_phases import change_task, task_of
+from aftdeck.simulation.period.period import JUDGED, SEEN
+from aftdeck.simulation.period.quick import inhibit_of
+from aftdeck.simulation.row.scalars import CHANGED, TASK, TOUCHING
 from aftdeck.simulation.state import State
 from aftdeck.tuples import Vec3
 from aftdeck.worksite.free_flight import translate
@@ -37,8 +40,45 @@ from aftdeck.worksite.watch.contacts import FRAMES, Inhibit
 _DRIVES = {"stop": 0.0, "close": 1.0, "open": -1.0}
 
 
-def update_worksite(flight: Flight, state: State, log: Log, inputs: Inputs) -> None:
-    """Update the worksite to the end of the step, after the plant has moved."""
+def update_worksite(flight: Flight, state: State, log: Log, inputs: Inputs, reached: int) -> None:
+    """Update the worksite to the end of the step, after the plant has moved.
+
+    `reached` tells how far compiled code has made the step (`period.period.advance`).
+    """
+    site, worksite, plant = flight.site, state.worksite, state.plant
+    before, was_fixed = worksite.contacts.inhibit, worksite.arm_fixed
+    if reached < SEEN:
+        _move_worksite(flight, state, log, inputs)
+        _update_contacts(flight, worksite, plant, state.panel.mode)
+    elif reached == SEEN:
+        touching, changed = state.row.scalars[TOUCHING] != 0.0, state.row.scalars[CHANGED] != 0.0
+        _judge(flight, worksite, plant, state.panel.mode, touching=touching, changed=changed)
+    else:
+        worksite.contacts.inhibit = inhibit_of(state)
+    log_contacts(site.layout, worksite, plant.bodies, log, flight.scenario.arm.model.units)
+    now = worksite.contacts.inhibit
+    if now != before:
+        _log_inhibits(log, before, now)
+    if now.arm:
+        way_out_of_contact(flight, state)
+    elif worksite.advice is not None:
+        worksite.advice = None
+    if reached > JUDGED:
+        change_task(worksite, int(state.row.scalars[TASK]), log)
+        return
+    in_grasp, attached = worksite.in_grasp, state.script.attached > 0
+    capture(flight, worksite, plant, state.panel, log, inputs, attached=attached)
+    update_berths(flight, worksite, plant, log, state.tick, inputs.latch)
+    if worksite.in_grasp != in_grasp:
+        state.carried = carried_by(flight.scenario, site, worksite, state.script)
+    if worksite.arm_fixed != was_fixed and state.panel.sequence != "in progress":
+        # a berth fixed or freed the arm, so CMD CK's verdict no longer applies
+        make_ready(flight.scenario.sequences, state)
+    change_task(worksite, task_of(site, worksite), log)
+
+
+def _move_worksite(flight: Flight, state: State, log: Log, inputs: Inputs) -> None:
+    """Move the orbiter, the prong and the payloads that float."""
     site, worksite, plant, period = flight.site, state.worksite, state.plant, flight.scenario.control_period
     _move_orbiter(flight, worksite, plant, log, inputs.orbiter)
     _move_prong(flight, worksite, plant, attached=state.script.attached > 0)
@@ -50,25 +90,6 @@ def update_worksite(flight: Flight, state: State, log: Log, inputs: Inputs) -> N
     else:
         follow_bodies(site, worksite, plant, plant.bodies)
         watch_forces(site, worksite, plant.bodies, log, period)
-    before, was_fixed = worksite.contacts.inhibit, worksite.arm_fixed
-    _update_contacts(flight, worksite, plant, state.panel.mode)
-    log_contacts(site.layout, worksite, plant.bodies, log, flight.scenario.arm.model.units)
-    now = worksite.contacts.inhibit
-    if now != before:
-        _log_inhibits(log, before, now)
-    if now.arm:
-        way_out_of_contact(flight, state)
-    elif worksite.advice is not None:
-        worksite.advice = None
-    in_grasp, attached = worksite.in_grasp, state.script.attached > 0
-    capture(flight, worksite, plant, state.panel, log, inputs, attached=attached)
-    update_berths(flight, worksite, plant, log, state.tick, inputs.latch)
-    if worksite.in_grasp != in_grasp:
-        state.carried = carried_by(flight.scenario, site, worksite, state.script)
-    if worksite.arm_fixed != was_fixed and state.panel.sequence != "in progress":
-        # a berth fixed or freed the arm, so CMD CK's verdict no longer applies
-        make_ready(flight.scenario.sequences, state)
-    change_task(site, worksite, log)
 
 
 def _update_contacts(flight: Flight, worksite: WorksiteState, plant: PlantState, mode: str) -> None:
@@ -93,6 +114,14 @@ def _update_contacts(flight: Flight, worksite: WorksiteState, plant: PlantState,
         *watch.packed,
         contacts.count,
     )
+    _judge(flight, worksite, plant, mode, touching=touching, changed=changed)
+
+
+def _judge(
+    flight: Flight, worksite: WorksiteState, plant: PlantState, mode: str, *, touching: bool, changed: bool
+) -> None:
+    """Update which contacts belong to the task, and the inhibits that contacts cause."""
+    site, watch, contacts = flight.site, worksite.watch, worksite.contacts
     if touching or changed or (plant.bodies is not None and plant.bodies.touches):
         worksite.permitted[:] = permitted(site, watch, worksite.frames)
         sliding = sliding_payload(worksite.held, mode) if flight.inhibits else None

@@ -12,6 +12,7 @@ from aftdeck.scenario.model import Scenario
 from aftdeck.simulation.camera_drives import Cameras
 from aftdeck.simulation.constants.plant import kinematic_plant, plant_of
 from aftdeck.simulation.constants.site import Site, site_of
+from aftdeck.simulation.row.world import Packed, packed
 
 Pair = tuple[float, float]
 
@@ -54,6 +55,11 @@ class Flight:
     def inhibits(self) -> bool:
         """Whether a detrimental contact inhibits motion: without contact forces, or if the scenario asks for it."""
         return self.scenario.inhibit or not self.plant.has_contact_forces
+
+    @cached_property
+    def packed(self) -> Packed:
+        """The same constants in flat arrays, for compiled code."""
+        return packed(self)
 
     @cached_property
     def rehearsed(self) -> Flight:

@@ -8,6 +8,7 @@ from aftdeck.simulation.frame import AT_HARD, FREE, PAST_REACH, PAST_SOFT, Level
 from aftdeck.simulation.log import Log, joint_label
 from aftdeck.simulation.motion.ways_out import ways_out
 from aftdeck.simulation.parts.worksite_state import WorksiteState
+from aftdeck.simulation.row.scalars import LIMITS
 from aftdeck.simulation.state import Panel, State
 from aftdeck.worksite.conditions import quantity_text
 from aftdeck.worksite.watch.alarm import level_of
@@ -22,13 +23,13 @@ _ZONE_TEXTS = {FREE: "clear of its limits", PAST_REACH: "past its reach limit", 
                AT_HARD: "at its hard stop"}  # fmt: skip
 
 
-def log_arm_events(flight: Flight, state: State, log: Log) -> None:
+def log_arm_events(flight: Flight, state: State, log: Log, *, observed: bool) -> None:
     """Compute the joints' zones, the nearby singularities and the clearance level, and log their changes.
 
-    Also update the escape directions.
+    Also update the escape directions. `observed`: whether compiled code has observed the arm in this step.
     """
     model, plant, panel = flight.scenario.arm.model, state.plant, state.panel
-    near = observe_near(
+    near = state.row.scalars[LIMITS] != 0.0 if observed else observe_near(
         state.arm.model.links,
         plant.angles,
         plant.rates,
@@ -36,7 +37,7 @@ def log_arm_events(flight: Flight, state: State, log: Log) -> None:
         model.limits.reach,
         model.singular,
         state.observed,
-    )
+    )  # fmt: skip
     if near:
         distances = state.observed[SEEN:].tolist()
         zones = _zones(flight, plant.angles.tolist())

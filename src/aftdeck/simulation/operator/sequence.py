@@ -69,16 +69,8 @@ def finish(flight: Flight, state: State, log: Log) -> None:
     panel.ending, panel.final_error = "", ""
     if panel.sequence != "in progress":
         return
-    points = flight.scenario.sequences.get(panel.mode, ())
-    point = points[panel.point] if points else None
-    passing = (
-        point is not None
-        and not point.pause
-        and panel.law == "closed loop"
-        and panel.point + 1 < len(points)
-        and state.report[DISTANCE] <= flight.scenario.fly_by
-        and state.report[ANGLE] <= flight.scenario.fly_by_turn
-    )
+    distance, turn = fly_by(flight.scenario, panel)
+    passing = bool(state.report[DISTANCE] <= distance and state.report[ANGLE] <= turn)
     still = state.report[RATIO] < STANDSTILL
     inside = flight.plant.has_servos and _inside(flight.scenario, state.panel.law, state.command, state.report)
     if inside or state.report[ARRIVED] or passing or (still and not _final_error(flight, state)):
@@ -94,6 +86,15 @@ def finish(flight: Flight, state: State, log: Log) -> None:
             else joint_lock_reason(state.panel) or _STANDSTILLS[halt]
         )
         log.add("blocked", "caution", f"automatic motion abandoned: {why}")
+
+
+def fly_by(scenario: Scenario, panel: Panel) -> tuple[float, float]:
+    """Return the distance [m] and the angle [rad] within which mode 2 goes on to the next point; -1 if it does not."""
+    points = scenario.sequences.get(panel.mode, ())
+    goes_on = bool(points) and panel.law == "closed loop" and panel.point + 1 < len(points)
+    if not goes_on or points[panel.point].pause:
+        return -1.0, -1.0
+    return scenario.fly_by, scenario.fly_by_turn
 
 
 def _inside(scenario: Scenario, law: LawChoice, command: Array, report: Array) -> bool:

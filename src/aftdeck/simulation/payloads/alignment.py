@@ -51,7 +51,7 @@ def count(site: Site, worksite: WorksiteState, travel: float) -> None:
 
     `travel` is the greatest distance by which two parts can approach in the next step [m] (`Flight.within`).
     """
-    worksite.watch.counts, worksite.aligned_with = alarm_pairs(
+    worksite.watch.counts[:], worksite.aligned_with = alarm_pairs(
         site, worksite.held, worksite.watch, worksite.frames, worksite.aligned_with, worksite.nearest,
         worksite.contacts, worksite.permitted, travel,
     )  # fmt: skip
@@ -147,7 +147,7 @@ def clearances_on_way(site: Site, k: int, number: int) -> Array:
     frames[row] = fit.place
     step = STEP * product(fit.place[3:].reshape(3, 3), fit.way_out)
     watch = ClearanceMonitor(site.layout)
-    watch.active = site.seated[k, fit.berth.name].copy()
+    watch.active[:] = site.seated[k, fit.berth.name]
     found = np.empty((math.ceil(NEAR / STEP) + 2, len(watch.active)))
     for i in range(len(found)):
         frames[row, :3] = fit.place[:3] + i * step

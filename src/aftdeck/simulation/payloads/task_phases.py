@@ -15,15 +15,14 @@ ACQUISITION, EXTRACTION, MANOEUVRING, DOCKED = 1, 2, 3, 4
 TASKS = {ACQUISITION: "acquisition", EXTRACTION: "extraction", MANOEUVRING: "manoeuvring", DOCKED: "docked"}
 
 
-def change_task(site: Site, worksite: WorksiteState, log: Log) -> None:
-    """Set the task phase from the present state, and log its change."""
-    now = _task(site, worksite)
+def change_task(worksite: WorksiteState, now: int, log: Log) -> None:
+    """Set the task phase, and log its change."""
     if now != worksite.task:
         worksite.task = now
         log.add("task", "info", f"MODE {now}: {TASKS[now]}")
 
 
-def _task(site: Site, worksite: WorksiteState) -> int:
+def task_of(site: Site, worksite: WorksiteState) -> int:
     """Return the task phase of the present state.
 
     ACQUISITION: no payload of the worksite is held. DOCKED: a held payload is fixed to a port. EXTRACTION: a held

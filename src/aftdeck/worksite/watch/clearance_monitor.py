@@ -227,7 +227,7 @@ def measure_groups(
         bound[g] -= travel[between[g, 0]] + travel[between[g, 1]]
         near = active[g] != 0 and not bound[g] >= within
         if near:
-            near = _measure_group(layout, own, g, measures) < within
+            near = measure_group(layout, own, g, measures) < within
         if near:
             _fill(layout, own, g, now, motions, measures)
         elif found[g, CLEARANCE] < np.inf:
@@ -240,11 +240,11 @@ def measure_groups(
         return
     # of groups with equal clearance use the first: the result then does not depend on where the search begins
     best = nearest
-    least = _measure_group(layout, own, best, measures)
+    least = measure_group(layout, own, best, measures)
     other = np.empty(packed.PAIR)
     for g in range(len(active)):
         if active[g] != 0 and counts[g] != 0 and bound[g] < least and g != nearest:
-            clearance = _measure_group(layout, own, g, other)
+            clearance = measure_group(layout, own, g, other)
             if clearance < least or (clearance == least and g < best):
                 best, least = g, clearance
                 measures[:] = other
@@ -281,12 +281,12 @@ def except_far(
     for g in range(len(among)):
         if among[g] == 0 or active[g] == 0:
             continue
-        if bound[g] >= least[g] or _measure_group(layout, own, g, measures) > least[g]:
+        if bound[g] >= least[g] or measure_group(layout, own, g, measures) > least[g]:
             counts[g] = 0
 
 
 @law
-def _measure_group(layout: PackedLayout, own: Measured, g: int, measures: Array) -> float:
+def measure_group(layout: PackedLayout, own: Measured, g: int, measures: Array) -> float:
     """Return the clearance of group g [m]; write the measurements of its nearest pair into `measures` (17,).
 
     Also update `bound` and `likely`. The bound is slightly lower than the clearance. Rounding errors therefore cannot
@@ -378,8 +378,12 @@ class ClearanceMonitor(Cache):
         self.at = np.empty((len(layout.frames), POSE))
         self.placed = np.zeros((len(layout.solids), SOLID))
         self.least = -np.inf
-        self.packed = Measured(self.at, self.placed, self.bound, self.likely, self.memory, self.found)
+        self.pack()
         self.forget()
+
+    def pack(self) -> None:
+        """Set `packed` to the present arrays."""
+        self.packed = Measured(self.at, self.placed, self.bound, self.likely, self.memory, self.found)
 
     def forget(self) -> None:
         """Discard the remembered data. This does not change the result of the next measurement."""

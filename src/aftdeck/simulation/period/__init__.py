@@ -1,0 +1,1 @@
+"""Compiled parts of a control period on the kinematic plant."""

@@ -1,0 +1,134 @@
+"""Contacts in a control period: poses of all frames, clearances, and the inhibits that contacts cause."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from aftdeck.bodies.pair import CONTACT, PAIR
+from aftdeck.bodies.pose import POSE
+from aftdeck.law import law
+from aftdeck.simulation.row.now import Motion, Watch
+from aftdeck.simulation.row.scalars import (
+    ARM,
+    CHANGED,
+    FINGER,
+    HELD,
+    INHIBITS,
+    LEAST,
+    NEAREST,
+    PERIOD,
+    PRONG_AT,
+    SLIDES,
+    STAND,
+    TASK,
+    TOUCHING,
+    WITHIN,
+)
+from aftdeck.simulation.row.scalars import (
+    CLEARANCE as NEAREST_CLEARANCE,
+)
+from aftdeck.simulation.row.world import World
+from aftdeck.worksite.watch.clearance_monitor import (
+    Measured,
+    measure_group,
+    measure_groups,
+    minimum_clearance_group,
+    travelled,
+)
+from aftdeck.worksite.watch.contact_update import place_everything
+from aftdeck.worksite.watch.contacts import count_frames, two_frames
+from aftdeck.worksite.watch.found import CLEARANCE
+from aftdeck.worksite.watch.groups import PackedLayout
+
+LOOSE = 0.25
+"""Bound of a clearance below which it is measured anew [m] (assumed)."""
+
+
+@law
+def seen(world: World, pairs: PackedLayout, now: Motion, watch: Watch) -> None:
+    """Place all frames, measure the clearances and count the contacts; write the results into the scalars."""
+    placed(world, now, watch)
+    measured(world, pairs, now, watch, world.constants[WITHIN])
+
+
+@law
+def placed(world: World, now: Motion, watch: Watch) -> None:
+    """Place all frames after a motion."""
+    v = now.scalars
+    watch.monitored_before[:] = watch.active
+    now.before[:] = now.frames
+    place_everything(
+        world.joints, world.scene, world.axes, now.orbiter, now.carrier, now.poses_in_carrier, now.angles, v[STAND],
+        v[PRONG_AT], np.empty((0, POSE)), now.base, now.frames,
+    )  # fmt: skip
+
+
+@law
+def measured(world: World, pairs: PackedLayout, now: Motion, watch: Watch, within: float) -> None:
+    """Measure the clearances below `within` [m] and count the contacts; write the results into the scalars."""
+    v = now.scalars
+    own = Measured(watch.at, watch.placed, watch.bound, watch.likely, watch.memory, watch.found)
+    measure_groups(pairs, own, watch.active, watch.counts, now.before, now.frames, world.constants[PERIOD], within)
+    counted = count_frames(watch.found, watch.count)
+    v[TOUCHING], v[CHANGED] = 1.0 if counted.touching else 0.0, 1.0 if counted.changed else 0.0
+    least = np.inf
+    for g in range(len(watch.found)):
+        least = min(least, watch.found[g, CLEARANCE])
+    v[LEAST] = least
+    nearest = minimum_clearance_group(watch.found, watch.counts)
+    v[NEAREST], v[NEAREST_CLEARANCE] = nearest, watch.found[nearest, CLEARANCE] if nearest >= 0 else np.inf
+
+
+@law
+def bounded(pairs: PackedLayout, watch: Watch) -> float:
+    """Return a lower bound of the clearances of all monitored pairs at the poses in `Watch.at` [m].
+
+    It is -inf if a clearance was measured: then contacts have to be counted in the next step. Bounds below `LOOSE` are
+    measured anew, because they decrease with each motion of a part.
+    """
+    least: float = np.inf
+    own = Measured(watch.at, watch.placed, watch.bound, watch.likely, watch.memory, watch.found)
+    measures = np.empty(PAIR)
+    for g in range(len(watch.active)):
+        if watch.found[g, CLEARANCE] < np.inf or watch.count[g] != 0:
+            return -np.inf
+    for g in range(len(watch.active)):
+        if watch.active[g] != 0:
+            if watch.bound[g] < LOOSE:
+                measure_group(pairs, own, g, measures)
+            least = min(least, watch.bound[g])
+    return least
+
+
+@law
+def still_clear(pairs: PackedLayout, now: Motion, watch: Watch, bound: float, within: float) -> bool:
+    """Return whether no clearance is below `within` [m], because all parts have moved too little since `bounded`.
+
+    If so, the scalars and the measurements are those of a step without a pair that is near.
+    """
+    if bound < within:
+        return False
+    travel, most = np.empty(len(now.frames)), 0.0
+    travelled(now.frames, watch.at, pairs.reach, travel)
+    for f in range(len(travel)):
+        most = max(most, travel[f])
+    return bool(bound - 2.0 * most >= within)
+
+
+@law
+def judged(world: World, now: Motion, watch: Watch) -> bool:
+    """Write the inhibits; return False if a pair of the task is in contact, whose relation has to be tested first."""
+    v = now.scalars
+    if v[TOUCHING] != 0.0 or v[CHANGED] != 0.0:
+        for m in range(len(world.meetings)):
+            if watch.found[world.meetings[m], CLEARANCE] <= CONTACT:
+                return False
+        held, slides = int(v[HELD]), v[SLIDES] != 0.0
+        for g in range(len(watch.permitted)):
+            watch.permitted[g] = world.task[g]
+            watch.essential[g] = world.task[g] | world.slides[held, g] if slides else world.task[g]
+    v[ARM] = v[FINGER] = 0.0
+    if v[TOUCHING] != 0.0 and world.constants[INHIBITS] != 0.0:
+        arm, finger = two_frames(watch.count, watch.essential, watch.arm, world.by_prong, int(v[TASK]))
+        v[ARM], v[FINGER] = 1.0 if arm else 0.0, 1.0 if finger else 0.0
+    return True

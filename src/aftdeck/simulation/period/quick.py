@@ -1,0 +1,154 @@
+"""Compiled part of a control step: it takes the step as far as nothing happens that is not compiled."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from aftdeck.simulation.period.period import COUNTED, DRIVEN, STEERED, advance
+from aftdeck.simulation.row.scalars import (
+    ARM,
+    BEGAN,
+    CHANGED,
+    CONTROLLED,
+    CYCLE_AT,
+    FINGER,
+    FLOATS,
+    GIVEN,
+    HALT,
+    LEAST,
+    MOTION_AT,
+    NEAREST,
+    POSE_AT,
+    PRONG_AT,
+    PRONG_VELOCITY,
+    REFERENCE_AT,
+    STAND,
+    STAND_VELOCITY,
+    TIME_AT,
+)
+from aftdeck.steering.mode import MODES
+from aftdeck.worksite.watch.contacts import UNINHIBITED, Inhibit
+
+if TYPE_CHECKING:
+    from aftdeck.simulation.constants.flight import Flight
+    from aftdeck.simulation.inputs import Inputs
+    from aftdeck.simulation.parts.worksite_state import Halt
+    from aftdeck.simulation.state import State
+
+_DRIVES = {"stop": 0.0, "close": 1.0, "open": -1.0}
+"""Drive of the prong for each position of the end effector's switch."""
+_HALTS: tuple[Halt, ...] = ("", "seat", "switch")
+"""What stopped the arm, by the number in `HALT`."""
+
+
+def quick_step(flight: Flight, state: State, inputs: Inputs, *, observes: bool) -> int:
+    """Make a control step of the kinematic plant after the operator's commands, as far as compiled code can.
+
+    Args:
+        flight: constants of the run.
+        state: changed in place; holds the command that the panel has set.
+        inputs: the operator's inputs.
+        observes: as for `advance`.
+
+    Returns:
+        How far the step has come, as `period.period.advance` returns it.
+    """
+    give(flight, state, inputs)
+    reached = advance(
+        *flight.packed,
+        *state.row.packed,
+        state.rules_under_way,
+        state.rules_at_rest,
+        state.arm.model.links,
+        observes,
+    )
+    take(state, reached)
+    return reached
+
+
+def take(state: State, reached: int) -> None:
+    """Take the single values of the state from its row, after compiled code has made a step as far as `reached`."""
+    plant, worksite, values = state.plant, state.worksite, state.row.scalars.tolist()
+    worksite.halt = _HALTS[int(values[HALT])]
+    if values[BEGAN]:
+        state.panel.motion_began = state.tick - 1
+    if reached == STEERED:
+        return
+    plant.stand.position, plant.stand.velocity = values[STAND], values[STAND_VELOCITY]
+    if reached == DRIVEN:
+        return
+    worksite.prong.position, worksite.prong.velocity = values[PRONG_AT], values[PRONG_VELOCITY]
+    worksite.orbiter_rejected = False
+    if state.row.floats:
+        _take_flights(state)
+    worksite.nearest, worksite.watch.least = int(values[NEAREST]), values[LEAST]
+    if reached == COUNTED:
+        worksite.aligned_with = None
+
+
+def inhibit_of(state: State) -> Inhibit:
+    """Return the inhibits that compiled code has found."""
+    arm, finger, changed = (value != 0.0 for value in state.row.scalars[[ARM, FINGER, CHANGED]].tolist())
+    return Inhibit(arm, finger, changed) if arm or finger or changed else UNINHIBITED
+
+
+def give(flight: Flight, state: State, inputs: Inputs) -> None:
+    """Write the single values and free flights that compiled code needs into the state's row."""
+    site, worksite, panel, plant = flight.site, state.worksite, state.panel, state.plant
+    held, kind = worksite.held, MODES[panel.mode].kind
+    inhibit, snare = worksite.contacts.inhibit, worksite.snare
+    released, docked = "", False
+    if held is not None:
+        payload = worksite.payloads[held]
+        released, docked = payload.released_from, bool(payload.berth) and site.berth(payload.berth).docks
+    works = (
+        inputs.effector is not None or inputs.rigid is not None or inputs.latch is not None or bool(snare.motion)
+        or worksite.rigid != "off" or any(one.latches.motion for one in worksite.payloads)
+    )  # fmt: skip
+    state.row.scalars[:GIVEN] = (
+        inputs.telescope,
+        _DRIVES[worksite.switch] if site.prong and not state.script.attached else 0.0,
+        state.standing.height,
+        plant.stand.position,
+        plant.stand.velocity,
+        worksite.prong.position,
+        worksite.prong.velocity,
+        -1 if held is None else held,
+        worksite.arm_fixed,
+        docked,
+        bool(released),
+        panel.brakes or panel.safing,
+        kind == "automatic",
+        panel.sequence == "in progress",
+        held is not None and flight.inhibits and kind in ("automatic", "manual"),
+        inhibit.arm,
+        inhibit.finger,
+        any(inputs.orbiter) or any(worksite.orbiter_velocity.tolist()),
+        works,
+        worksite.task,
+        worksite.nearest,
+    )
+    floats = any(one is not None for one in worksite.floating)
+    if floats or state.row.floats:
+        _give_flights(state)
+        state.row.floats = floats
+
+
+def _give_flights(state: State) -> None:
+    """Write the free flights into the state's row."""
+    for row, one in zip(state.row.flights, state.worksite.floating, strict=True):
+        row[FLOATS] = one is not None
+        if one is None:
+            continue
+        row[POSE_AT:MOTION_AT], row[MOTION_AT:REFERENCE_AT] = one.pose, one.motion
+        row[TIME_AT], row[CONTROLLED] = one.time, one.cycle is not None
+        if one.cycle is not None:
+            row[REFERENCE_AT:CYCLE_AT], row[CYCLE_AT:TIME_AT] = one.reference.ravel(), one.cycle
+
+
+def _take_flights(state: State) -> None:
+    """Take the free flights from the state's row."""
+    for row, one in zip(state.row.flights, state.worksite.floating, strict=True):
+        if one is not None:
+            one.pose[:], one.motion[:] = row[POSE_AT:MOTION_AT], row[MOTION_AT:REFERENCE_AT]
+            one.time, one.met = float(row[TIME_AT]), False

@@ -1,0 +1,119 @@
+"""Control steps of an automatic motion without inputs, for the rehearsal of CMD CK."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from aftdeck.arrays import Array, Indices, Mask
+from aftdeck.kinematics.solver import nearest_singularity
+from aftdeck.law import law
+from aftdeck.lent import lend
+from aftdeck.simulation.period.contact import bounded, measured, placed, still_clear
+from aftdeck.simulation.period.period import ATTACHED, SEEN, moved, settled
+from aftdeck.simulation.row.now import motion_of, watch_of
+from aftdeck.simulation.row.scalars import ARM, CHANGED, FLOATS, HELD, PERIOD, SLIDES, STAND_VELOCITY, WITHIN
+from aftdeck.simulation.row.world import pairs_of, row_tables, world_of
+from aftdeck.steering.layout import ANGLE, ARRIVED, DISTANCE, MOTION_ACTIVE, RATIO, REMAINING
+from aftdeck.steering.rehearsal import STANDSTILL
+
+STEPS, SINCE, LATEST, NEAREST, WHICH, PASSES, PASSES_TURN, REACHED = range(8)
+"""Indices of the values of a rehearsal: number of steps so far; time at which the motion to the present point began,
+and by which it has to end [s]; least distance from a singularity so far [1], and its number; distance [m] and angle
+[rad] from the target within which the motion goes on to the next point, or -1; how far the last step came."""
+VALUES = 8
+CLOSE = 1e-3
+"""Clearance below which a pair is measured, if nothing floats and no payload slides along walls [m]."""
+
+
+@law
+def rehearsed(
+    fixed_numbers: Array,
+    fixed_indices: Indices,
+    fixed_marks: Mask,
+    numbers: Array,
+    indices: Indices,
+    marks: Mask,
+    rules: Array,
+    resting: Array,
+    links: Array,
+    values: Array,
+    most: int,
+    half: float,
+    slowest: float,
+    day: float,
+) -> None:
+    """Rehearse control steps until one needs more than compiled code, may end the motion, or changes a contact.
+
+    Args:
+        fixed_numbers: as for `period.advance`.
+        fixed_indices: the same.
+        fixed_marks: the same.
+        numbers: the same.
+        indices: the same.
+        marks: the same.
+        rules: the same.
+        resting: the same.
+        links: the same.
+        values: of the rehearsal; changed.
+        most: greatest number of steps.
+        half: time from its beginning for which the duration of a motion is estimated [s].
+        slowest: least share of the steering's speed that an estimate assumes [1].
+        day: time at which every rehearsal ends [s].
+    """
+    world = world_of(lend(fixed_numbers), lend(fixed_indices), lend(fixed_marks))
+    pairs, tables = pairs_of(lend(fixed_numbers), lend(fixed_indices)), row_tables(lend(fixed_indices))
+    now = motion_of(lend(numbers), lend(indices), tables)
+    watch = watch_of(lend(numbers), lend(indices), lend(marks), tables)
+    rules, resting, links, command, report = lend(rules), lend(resting), lend(links), now.command, now.report
+    v, period = now.scalars, world.constants[PERIOD]
+    always = len(world.bars) > 0 and v[HELD] < 0.0
+    near = v[SLIDES] != 0.0
+    for k in range(len(now.flights)):
+        near = near or now.flights[k, FLOATS] != 0.0
+    within = world.constants[WITHIN] if near else CLOSE
+    bound = -np.inf
+    values[REACHED] = ATTACHED
+    for _ in range(most):
+        passes = report[DISTANCE] <= values[PASSES] and report[ANGLE] <= values[PASSES_TURN]
+        if report[ARRIVED] != 0.0 or report[RATIO] < STANDSTILL or passes:
+            return
+        reached = moved(world, now, watch, rules, resting)
+        if reached == SEEN:
+            placed(world, now, watch)
+            if always or not still_clear(pairs, now, watch, bound, within):
+                measured(world, pairs, now, watch, within)
+                bound = bounded(pairs, watch)
+            else:
+                v[CHANGED] = 0.0
+            reached = settled(world, now, watch)
+        values[REACHED] = reached
+        values[STEPS] += 1.0
+        if reached < ATTACHED:
+            return
+        time = values[STEPS] * period
+        near, which = nearest_singularity(links, now.angles)
+        if near < values[NEAREST]:
+            values[NEAREST], values[WHICH] = near, which
+        if v[CHANGED] != 0.0 or v[ARM] != 0.0 or v[STAND_VELOCITY] != 0.0:
+            return
+        if command[MOTION_ACTIVE] != 0.0:
+            estimate(report, values, time, half, slowest)
+        if time >= min(values[LATEST], day):
+            return
+
+
+@law
+def estimate(report: Array, values: Array, time: float, half: float, slowest: float) -> None:
+    """Give the motion to the present point twice its estimated duration, if it is longer than estimated before.
+
+    Args:
+        report: report of the steering laws.
+        values: of the rehearsal; changed.
+        time: time since the rehearsal began [s].
+        half: as for `rehearsed`.
+        slowest: as for `rehearsed`.
+    """
+    since = values[SINCE]
+    if time - since <= half:
+        left = report[REMAINING] / max(report[RATIO], slowest)
+        values[LATEST] = max(values[LATEST], since + 2.0 * (time - since + left))

@@ -1,0 +1,72 @@
+"""Row of a state: the flat arrays in which the state's arrays are, so that compiled code takes few arguments."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from aftdeck.flat import parts, size
+from aftdeck.kinematics.observe import SEEN
+from aftdeck.simulation.row.now import INDICES, MARKS, NUMBERS, Tables, tables_of
+
+if TYPE_CHECKING:
+    from aftdeck.simulation.state import State
+
+_OWN = ("steering", "command", "report", "observed")
+_PLANT = ("angles", "rates", "commanded", "base")
+_WORKSITE = (
+    "orbiter", "orbiter_velocity", "poses_in_carrier", "frames", "before", "carrier", "monitored_before", "permitted",
+)  # fmt: skip
+_CONTACTS = ("count", "essential", "arm")
+_WATCH = ("at", "placed", "bound", "memory", "found", "likely", "active", "counts")
+"""Arrays of a state that are parts of its row, by the part of the state to which they belong."""
+
+
+class Row:
+    """Flat arrays of a state.
+
+    Attributes:
+        numbers: float64.
+        indices: int64.
+        marks: uint8.
+        scalars: the part of the numbers that `row.scalars` describes.
+        flights: (c, 39) free flights, filled before a step in which a payload floats.
+        floats: whether a payload floats according to `flights`.
+        packed: the three flat arrays.
+    """
+
+    def __init__(self, tables: Tables) -> None:
+        self.numbers = np.zeros(size(tables.numbers))
+        self.indices = np.zeros(size(tables.indices), np.int64)
+        self.marks = np.zeros(size(tables.marks), np.uint8)
+        self._parts = {
+            name: part
+            for names, flat, table in (
+                (NUMBERS, self.numbers, tables.numbers),
+                (INDICES, self.indices, tables.indices),
+                (MARKS, self.marks, tables.marks),
+            )
+            for name, part in zip(names, parts(flat, table), strict=True)
+        }
+        self.scalars, self.flights = self._parts["scalars"], self._parts["flights"]
+        self.floats = False
+        self.packed = self.numbers, self.indices, self.marks
+
+    def take(self, state: State) -> None:
+        """Move the arrays of a state into the row: the state's arrays are parts of the row from then on."""
+        worksite = state.worksite
+        owners = (state, state.plant, worksite, worksite.contacts, worksite.watch)
+        for owner, names in zip(owners, (_OWN, _PLANT, _WORKSITE, _CONTACTS, _WATCH), strict=True):
+            for name in names:
+                self._parts[name][...] = getattr(owner, name)
+                setattr(owner, name, self._parts[name])
+        worksite.watch.pack()
+
+
+def row_of(state: State) -> Row:
+    """Return a row that contains the arrays of a state from now on."""
+    layout, payloads = state.worksite.watch.layout, len(state.worksite.payloads)
+    row = Row(tables_of(layout, len(state.plant.angles), len(state.observed) - SEEN, payloads))
+    row.take(state)
+    return row

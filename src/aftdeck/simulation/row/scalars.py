@@ -1,0 +1,87 @@
+"""Indices of single values in the flat arrays: those of a step, which are in the row, and those of a run."""
+
+from __future__ import annotations
+
+# of a step, before it
+TELESCOPE = 0
+"""Commanded drive of the telescope, in [-1, 1]; replaced by the drive that berths and switches allow."""
+CLOSES = 1
+"""Commanded drive of the prong: 1 closes it, -1 opens it, 0 stops it."""
+HEIGHT = 2
+"""Height of the shoulder that the steering's rules assume [m]."""
+STAND, STAND_VELOCITY = 3, 4
+"""Height of the shoulder above L's origin [m], and its rate [m/s]; replaced by those after the step."""
+PRONG_AT, PRONG_VELOCITY = 5, 6
+"""y2 of the prong's inner face [m], and its rate [m/s]; replaced by those after the step."""
+HELD = 7
+"""Index of the payload in the grasp; -1 if the grasp is empty."""
+FIXED = 8
+"""1 if the held payload is fixed to a berth, so that the arm cannot move."""
+AT_PORT = 9
+"""1 if this berth is a port."""
+RELEASED = 10
+"""1 if a berth has just released the held payload."""
+LOCKED = 11
+"""1 if BRAKES or SAFING stops the joints."""
+AUTOMATIC = 12
+"""1 in a mode that flies to a target."""
+IN_PROGRESS = 13
+"""1 while an automatic motion is in progress or begins."""
+SLIDES = 14
+"""1 if the held payload slides along walls: in modes 1 to 7, if contacts inhibit motion."""
+INHIBITED, STOPPED = 15, 16
+"""1 if a contact of the last step inhibits the arm; 1 if one inhibits the prong."""
+ORBITS = 17
+"""1 if the orbiter translates."""
+WORKS = 18
+"""1 if the end effector or latches move, or a switch commands them to."""
+TASK = 19
+"""The report's mode, 1 to 4; replaced by the mode after the step, if nothing is captured or fixed in it."""
+NEAREST = 20
+"""Pair with the minimum clearance; -1 if none counts. Replaced by that after the step."""
+GIVEN = 21
+"""Number of the values above, which are set before a step."""
+
+# of a step, after it
+HALT = 21
+"""What blocked the commanded motion: 0 nothing, 1 a berth, 2 a switch."""
+BEGAN = 22
+"""1 if an automatic motion began in this step."""
+TOUCHING, CHANGED = 23, 24
+"""1 if a pair is in contact; 1 if a contact began, ended or reached its second step."""
+ARM, FINGER = 25, 26
+"""1 if a contact inhibits the arm; 1 if one inhibits the prong."""
+LEAST = 27
+"""Lower bound of the measured clearances [m]."""
+CLEARANCE = 28
+"""Clearance of the pair in NEAREST [m]; infinite without one."""
+BERTHS = 29
+"""1 if something may now be captured, fixed or released."""
+LIMITS = 30
+"""1 if a joint is past its reach limit or a singularity is near."""
+SCALARS = 31
+
+# constants of a run
+PERIOD = 0
+"""Control period [s]."""
+WITHIN = 1
+"""`Flight.within` [m]."""
+TELESCOPE_LOW, TELESCOPE_HIGH, TELESCOPE_RATE = 2, 3, 4
+PRONG_LOW, PRONG_HIGH, PRONG_RATE = 5, 6, 7
+FIXED_FINGER, SPACING = 8, 9
+"""y2 of the fixed finger's inner face, and greatest distance of the fingers that hold a bar [m]."""
+SINGULAR = 10
+"""Distance from a singularity below which it is near [1]."""
+KEEPS_CLOCK = 11
+"""1 under `strict`, where a stop does not set back the clock of modes 1 and 3."""
+INHIBITS = 12
+"""1 if a detrimental contact inhibits motion."""
+RADIUS = 13
+"""Distance of a grapple pin from the end effector's axis above which the two are never aligned [m]; negative for an end
+effector without snares."""
+CONSTANTS = 14
+
+# of a floating payload
+POSE_AT, MOTION_AT, REFERENCE_AT, CYCLE_AT, TIME_AT, FLOATS, CONTROLLED = 0, 12, 18, 27, 36, 37, 38
+"""Indices in the row of a payload: its `Floating`, then 1 if it floats, and 1 if it has attitude control."""
+FLOATING = 39
