@@ -35,10 +35,14 @@ def frame(*colliding: int, clearance: float = -0.02) -> np.ndarray:
     return found
 
 
+def near(found: np.ndarray) -> np.ndarray:
+    return np.isfinite(found[:, CLEARANCE]).astype(np.uint8)
+
+
 def after(watched: Contacts, mode: int, *frames: np.ndarray) -> tuple[bool, bool]:
     """Return whether arm and finger are inhibited after these steps."""
     for found in frames:
-        watched.update(found, PRONG, mode)
+        watched.update(found, near(found), PRONG, mode)
     return watched.inhibit.arm, watched.inhibit.finger
 
 
@@ -93,7 +97,8 @@ def test_inhibit_requires_a_detrimental_arm_contact_in_two_steps(
     for k, now in enumerate(frames):
         if k == cut:
             watched = decoded(contacts(holding=holding), encoded(watched), lambda _: Cache())
-        inhibit = watched.update(frame(*np.flatnonzero(now).tolist()), PRONG, mode)
+        found = frame(*np.flatnonzero(now).tolist())
+        inhibit = watched.update(found, near(found), PRONG, mode)
         both = [a and b for a, b in zip(before, now, strict=True)]
         palm = both[PALM_BAR] or both[PALM_CAN] or (holding and both[CAN_WALL])
         prong = both[PRONG_CAN]
@@ -106,7 +111,14 @@ def test_inhibit_requires_a_detrimental_arm_contact_in_two_steps(
 def test_contact_change_is_reported_in_its_own_step() -> None:
     watched = contacts()
     frames = [frame(), frame(PALM_CAN), frame(PALM_CAN), frame(PALM_CAN), frame(), frame()]
-    assert [watched.update(found, PRONG, 1).changed for found in frames] == [False, True, True, False, True, False]
+    assert [watched.update(found, near(found), PRONG, 1).changed for found in frames] == [
+        False,
+        True,
+        True,
+        False,
+        True,
+        False,
+    ]
 
 
 def test_contacts_are_sorted_by_depth_with_their_kind() -> None:

@@ -158,7 +158,7 @@ def _set_to_start(flight: Flight, state: State, start: Start) -> None:
     worksite.monitored_before[:] = worksite.watch.active
     worksite.watch.update(frames, frames, scenario.control_period)
     worksite.permitted[:] = permitted(site, worksite.watch, frames)
-    worksite.contacts.update(worksite.watch.found, site.by_prong, worksite.task)
+    worksite.contacts.update(worksite.watch.found, worksite.watch.near, site.by_prong, worksite.task)
     count(site, worksite, flight.within)
     worksite.nearest = worksite.watch.nearest(worksite.watch.counts)
     change_task(worksite, task_of(site, worksite), state.log(scenario.control_period))

@@ -25,7 +25,6 @@ from aftdeck.steering.msteer import msteer
 
 def fly(flight: Flight, state: State, log: Log, inputs: Inputs) -> None:
     """Make one control step of a rehearsal, from the arm's measured state."""
-    state.measure()
     operate(flight, state, log, inputs)
     go(flight, state, log, inputs, observes=False)
 
@@ -70,7 +69,8 @@ def complete(flight: Flight, state: State, log: Log, inputs: Inputs, reached: in
 
 
 def _steer(state: State) -> None:
-    """Plan an automatic motion in the step in which it begins, and compute the commanded joint rates."""
+    """Measure the arm, plan an automatic motion in the step in which it begins, and compute the commanded rates."""
+    state.measure()
     if state.panel.sequence == "in progress" and state.command[MOTION_ACTIVE] == 0.0:
         start_motion(state.rules_under_way, state.command, state.steering)
         if state.command[MOTION_ACTIVE] != 0.0:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from functools import cached_property
 from typing import Literal
 
 import msgspec
@@ -21,7 +22,7 @@ from aftdeck.simulation.parts.carried import SteeringSetup
 from aftdeck.simulation.parts.checking import Checking, Premises
 from aftdeck.simulation.parts.standing import Standing
 from aftdeck.simulation.parts.worksite_state import WorksiteState, new_worksite_state
-from aftdeck.simulation.row.row import row_of
+from aftdeck.simulation.row.row import Row, row_of
 from aftdeck.state_part import StatePart, copied
 from aftdeck.steering.layout import COMMAND, MOTION_ACTIVE, REPORT, STATE
 from aftdeck.steering.mode import AUTOMATIC_LAWS, MODES, LawChoice
@@ -129,7 +130,6 @@ class State(StatePart, dict=True):
         ways_out: escape directions from nearby singularities, from exceeded joint limits and from contacts.
         events: log lines of the present step.
         changes: changes in flight that are in force, each as KEY=VALUE (`scenario.in_flight`).
-        row: flat arrays that contain most of the arrays above, for compiled code; not a field of the state.
     """
 
     panel: Panel
@@ -153,9 +153,10 @@ class State(StatePart, dict=True):
     events: list[Event] = msgspec.field(default_factory=list)
     changes: tuple[str, ...] = ()
 
-    def __post_init__(self) -> None:
-        """Move the arrays into a row, which compiled code takes."""
-        self.row = row_of(self)
+    @cached_property
+    def row(self) -> Row:
+        """Flat arrays that contain most of the state's arrays from the first use on, for compiled code."""
+        return row_of(self)
 
     def fork(self) -> State:
         """Return an independent copy of this state, without CMD CK, for a rehearsal on the kinematic plant."""

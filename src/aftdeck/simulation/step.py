@@ -32,9 +32,6 @@ def step(flight: Flight, state: State, inputs: Inputs | None) -> Inputs:
     state.events = []
     log = state.log(flight.scenario.control_period)
 
-    # plans and checks of this step start from the measured position of the arm
-    state.measure()
-
     # inputs of the script, or of the operator after the command delay
     state.by_script, state.phase = inputs is None or inputs.script, ""
     if inputs is None or inputs.script:

@@ -27,14 +27,13 @@ from aftdeck.simulation.payloads.jets import translation_rejection
 from aftdeck.simulation.payloads.relations import permitted
 from aftdeck.simulation.payloads.surroundings import follow_bodies
 from aftdeck.simulation.payloads.task_phases import change_task, task_of
-from aftdeck.simulation.period.period import JUDGED, SEEN
+from aftdeck.simulation.period.period import JUDGED, SEEN, contacts
 from aftdeck.simulation.period.quick import inhibit_of
-from aftdeck.simulation.row.scalars import CHANGED, TASK, TOUCHING
+from aftdeck.simulation.row.scalars import CHANGED, LEAST, NEAREST, PRONG_AT, STAND, TASK, TOUCHING
 from aftdeck.simulation.state import State
 from aftdeck.tuples import Vec3
 from aftdeck.worksite.free_flight import translate
 from aftdeck.worksite.watch.contact_motion import looked_at, relieves, worst_new_contact
-from aftdeck.worksite.watch.contact_update import update_contacts
 from aftdeck.worksite.watch.contacts import FRAMES, Inhibit
 
 _DRIVES = {"stop": 0.0, "close": 1.0, "open": -1.0}
@@ -49,9 +48,9 @@ def update_worksite(flight: Flight, state: State, log: Log, inputs: Inputs, reac
     before, was_fixed = worksite.contacts.inhibit, worksite.arm_fixed
     if reached < SEEN:
         _move_worksite(flight, state, log, inputs)
-        _update_contacts(flight, worksite, plant, state.panel.mode)
+        _update_contacts(flight, state)
     elif reached == SEEN:
-        touching, changed = state.row.scalars[TOUCHING] != 0.0, state.row.scalars[CHANGED] != 0.0
+        touching, changed = state.row.values[TOUCHING] != 0.0, state.row.values[CHANGED] != 0.0
         _judge(flight, worksite, plant, state.panel.mode, touching=touching, changed=changed)
     else:
         worksite.contacts.inhibit = inhibit_of(state)
@@ -64,7 +63,7 @@ def update_worksite(flight: Flight, state: State, log: Log, inputs: Inputs, reac
     elif worksite.advice is not None:
         worksite.advice = None
     if reached > JUDGED:
-        change_task(worksite, int(state.row.scalars[TASK]), log)
+        change_task(worksite, int(state.row.values[TASK]), log)
         return
     in_grasp, attached = worksite.in_grasp, state.script.attached > 0
     capture(flight, worksite, plant, state.panel, log, inputs, attached=attached)
@@ -92,41 +91,27 @@ def _move_worksite(flight: Flight, state: State, log: Log, inputs: Inputs) -> No
         watch_forces(site, worksite, plant.bodies, log, period)
 
 
-def _update_contacts(flight: Flight, worksite: WorksiteState, plant: PlantState, mode: str) -> None:
+def _update_contacts(flight: Flight, state: State) -> None:
     """Update the poses of all frames, the clearances, the contacts, and the inhibits that the contacts cause."""
-    site, period = flight.site, flight.scenario.control_period
-    layout, watch, contacts = site.layout, worksite.watch, worksite.contacts
-    worksite.monitored_before[:] = watch.active
-    touching, changed, worksite.nearest, watch.least = update_contacts(
-        *worksite.places(site),
-        plant.angles,
-        plant.stand.position,
-        worksite.prong.position,
-        plant.frames,
-        plant.base,
-        *layout.packed,
-        watch.active,
-        watch.counts,
-        worksite.before,
-        worksite.frames,
-        period,
-        flight.within,
-        *watch.packed,
-        contacts.count,
-    )
-    _judge(flight, worksite, plant, mode, touching=touching, changed=changed)
+    worksite, plant, scalars = state.worksite, state.plant, state.row.scalars
+    scalars[STAND], scalars[PRONG_AT] = plant.stand.position, worksite.prong.position
+    contacts(*flight.packed, *state.row.packed, plant.frames)
+    values = state.row.values = scalars.tolist()
+    worksite.nearest, worksite.watch.least = int(values[NEAREST]), values[LEAST]
+    touching, changed = values[TOUCHING] != 0.0, values[CHANGED] != 0.0
+    _judge(flight, worksite, plant, state.panel.mode, touching=touching, changed=changed)
 
 
 def _judge(
     flight: Flight, worksite: WorksiteState, plant: PlantState, mode: str, *, touching: bool, changed: bool
 ) -> None:
     """Update which contacts belong to the task, and the inhibits that contacts cause."""
-    site, watch, contacts = flight.site, worksite.watch, worksite.contacts
+    site, watch, counted = flight.site, worksite.watch, worksite.contacts
     if touching or changed or (plant.bodies is not None and plant.bodies.touches):
         worksite.permitted[:] = permitted(site, watch, worksite.frames)
         sliding = sliding_payload(worksite.held, mode) if flight.inhibits else None
-        contacts.essential[:] = site.essential_while(sliding, worksite.permitted)
-    contacts.judge(touching, changed, site.by_prong, worksite.task, inhibits=flight.inhibits)
+        counted.essential[:] = site.essential_while(sliding, worksite.permitted)
+    counted.judge(touching, changed, site.by_prong, worksite.task, inhibits=flight.inhibits)
 
 
 def _move_orbiter(flight: Flight, worksite: WorksiteState, plant: PlantState, log: Log, command: Vec3) -> None:

@@ -51,6 +51,7 @@ def _continue_check(flight: Flight, state: State, checking: Checking) -> Check |
     In an automatic mode the check waits until the arm is at rest, because the motion starts from rest.
     """
     if checking.start is None:
+        state.measure()
         moving = np.abs(state.steering[MEASURED : MEASURED + len(state.plant.angles)]).max() > 0.0
         if moving and MODES[state.panel.mode].kind == "automatic":
             return None

@@ -122,7 +122,6 @@ class Rehearsal:
         copy.events.clear()
         log = copy.log(flight.scenario.control_period)
         if self.steps == 0:  # `begin` has already set the panel for this step
-            copy.measure()
             go(flight, copy, log, _NO_INPUTS, observes=False)
         else:
             fly(flight, copy, log, _NO_INPUTS)

@@ -29,7 +29,7 @@ def log_arm_events(flight: Flight, state: State, log: Log, *, observed: bool) ->
     Also update the escape directions. `observed`: whether compiled code has observed the arm in this step.
     """
     model, plant, panel = flight.scenario.arm.model, state.plant, state.panel
-    near = state.row.scalars[LIMITS] != 0.0 if observed else observe_near(
+    near = state.row.values[LIMITS] != 0.0 if observed else observe_near(
         state.arm.model.links,
         plant.angles,
         plant.rates,
@@ -38,14 +38,19 @@ def log_arm_events(flight: Flight, state: State, log: Log, *, observed: bool) ->
         model.singular,
         state.observed,
     )  # fmt: skip
+    if not (near or panel.singular or any(panel.zones) or state.worksite.contacts.inhibit.arm):
+        _log_clearance_level(flight, state.worksite, panel, log)
+        state.ways_out = ()
+        panel.advice.clear()
+        return
+    zones: Zones = (FREE,) * len(plant.angles)
+    singular: tuple[str, ...] = ()
     if near:
         distances = state.observed[SEEN:].tolist()
         zones = _zones(flight, plant.angles.tolist())
         singular = tuple(
             name for name, d in zip(model.singularities, distances, strict=True) if abs(d) < model.singular
         )
-    else:
-        zones, singular = (FREE,) * len(plant.angles), ()
     if zones != panel.zones:
         _log_zone_changes(log, flight.scenario.arm.joints, panel.zones, zones)
         panel.zones = zones

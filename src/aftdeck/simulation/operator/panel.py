@@ -16,7 +16,7 @@ from aftdeck.simulation.operator.holds import effective_sticks
 from aftdeck.simulation.operator.master import axes_of, turn_master
 from aftdeck.simulation.operator.sequence import finish, next_target
 from aftdeck.simulation.state import Panel, State
-from aftdeck.steering.layout import AIMS, DRIVE, JOINT, KEPT, LAW, MASTER, STICKS
+from aftdeck.steering.layout import AIMS, KEPT, MASTER
 from aftdeck.steering.mode import MODES
 
 
@@ -37,18 +37,16 @@ def operate(flight: Flight, state: State, log: Log, inputs: Inputs) -> None:
         _stop(panel, log)
     if inputs.proceed:
         _proceed(sequences, state, log)
-    command = state.command
     sticks = effective_sticks(panel, log, inputs)
-    command[LAW] = panel.flown
-    command[STICKS : STICKS + 6] = sticks
-    command[JOINT], command[DRIVE] = panel.joint, inputs.drive
+    state.row.order(panel.flown, sticks, panel.joint, inputs.drive)
     if MODES[panel.mode].kind == "master" and any(sticks):
-        turn_master(axes_of(flight.scenario.arm.model), state.rules, command, flight.scenario.control_period)
+        turn_master(axes_of(flight.scenario.arm.model), state.rules, state.command, flight.scenario.control_period)
 
 
 def _set_switches(sequences: Sequences, state: State, log: Log, inputs: Inputs) -> None:
     panel = state.panel
     if inputs.joint is not None and inputs.joint != panel.joint:
+        state.measure()
         state.command[KEPT + panel.joint] = state.steering[AIMS + panel.joint]  # mode 8 holds this joint from now on
         panel.joint = inputs.joint
     if inputs.rate is not None:
@@ -100,6 +98,7 @@ def _enter(sequences: Sequences, state: State, log: Log, position: str) -> None:
         log.reject(f"{position} refused: no points are stored for it in this scenario")
         return
     panel, joints = state.panel, len(state.plant.angles)
+    state.measure()
     if mode.kind == "master":  # the master arm starts from the angles of the arm
         state.command[MASTER : MASTER + joints] = state.steering[AIMS : AIMS + joints]
     if mode.kind == "single":  # mode 8 holds the joints at these angles, theta_0

@@ -6,10 +6,11 @@ phase in an automatic mode ends at arrival (ETA). A phase in SINGLE ends at its 
 
 from __future__ import annotations
 
-from functools import lru_cache
+from typing import NamedTuple
 
 import numpy as np
 
+from aftdeck.arrays import Array
 from aftdeck.plant.linear_actuator import Slide
 from aftdeck.plant.plant import Plant
 from aftdeck.scenario.model import PhasePlan, Sequences
@@ -24,6 +25,15 @@ from aftdeck.steering.layout import AIMS, ARRIVED, DT, RATE, RATE_UP, RATES, SPE
 from aftdeck.steering.limiters import braked
 from aftdeck.steering.mode import MODES
 from aftdeck.tuples import Vec3
+
+
+class Kept(NamedTuple):
+    """Stick inputs of a phase, and what they depend on."""
+
+    phase: PhasePlan
+    telescope: float
+    rules: Array
+    inputs: Inputs
 
 
 def play(flight: Flight, state: State) -> Inputs:
@@ -41,6 +51,8 @@ def play(flight: Flight, state: State) -> Inputs:
                 continue
             _prepare(flight, state, phase)
             return _first_inputs(phase, target, _sticks(flight, state, phase))
+        if MODES[phase.mode].kind == "master":
+            state.measure()
         if _has_ended(flight, state, phase, state.tick):
             script.phase, script.began = script.phase + 1, -1
             continue
@@ -122,6 +134,7 @@ def _later_inputs(flight: Flight, state: State, phase: PhasePlan) -> Inputs:
     if phase.joint_at is None:
         return _sticks(flight, state, phase)
     rules = state.carried.rules[phase.mode, phase.rate, MODES[phase.mode].laws[0]]
+    state.measure()
     gap = phase.joint_at - float(state.steering[AIMS + phase.joint])
     rate = braked(abs(gap), float(rules[RATE_UP + phase.joint]), float(rules[DT]))
     drive = min(1.0, rate / float(rules[RATE + phase.joint]))
@@ -130,15 +143,18 @@ def _later_inputs(flight: Flight, state: State, phase: PhasePlan) -> Inputs:
 
 
 def _sticks(flight: Flight, state: State, phase: PhasePlan) -> Inputs:
-    """Return the stick inputs of a phase in a manual mode."""
+    """Return the stick inputs of a phase in a manual mode. They are kept, because most steps of a phase repeat them."""
+    telescope = _telescope(flight, state.plant.stand, phase.stand_at)
     rules = state.carried.rules[phase.mode, phase.rate, MODES[phase.mode].laws[0]]
-    most = float(rules[SPEED]), float(rules[TURN]), float(rules[RATE + phase.joint])
-    return _deflected(phase, _telescope(flight, state.plant.stand, phase.stand_at), most)
+    kept = state.carried.sticks
+    if kept is None or kept.phase is not phase or kept.telescope != telescope or kept.rules is not rules:
+        most = float(rules[SPEED]), float(rules[TURN]), float(rules[RATE + phase.joint])
+        kept = state.carried.sticks = Kept(phase, telescope, rules, _deflected(phase, telescope, most))
+    return kept.inputs
 
 
-@lru_cache(maxsize=64)
 def _deflected(phase: PhasePlan, telescope: float, most: tuple[float, float, float]) -> Inputs:
-    """Return the stick inputs of a phase. The result is cached, because all steps of a phase have the same inputs.
+    """Return the stick inputs of a phase.
 
     Args:
         phase: the phase.

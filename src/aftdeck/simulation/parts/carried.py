@@ -7,6 +7,7 @@ the rate limits of the script's phase.
 from __future__ import annotations
 
 from dataclasses import replace
+from typing import TYPE_CHECKING
 
 from aftdeck.arrays import Array
 from aftdeck.kinematics.payload import HeldPayload
@@ -15,6 +16,9 @@ from aftdeck.scenario.model import RateLimits, Scenario
 from aftdeck.state_part import Cache
 from aftdeck.steering.rules import Key, rules_of
 
+if TYPE_CHECKING:
+    from aftdeck.simulation.operator.script import Kept
+
 
 class SteeringSetup(Cache):
     """Payload in the grasp, and the steering's rules for it; `grasp.carried_by` derives both from the state.
@@ -22,11 +26,13 @@ class SteeringSetup(Cache):
     Attributes:
         payload: payload in the grasp, as the steering uses it; None if the grasp is empty.
         rules: the steering's rules by panel position, rate setting and steering law.
+        sticks: stick inputs of the script's phase that were computed last; None if there are none.
     """
 
     def __init__(self, payload: HeldPayload | None, rules: dict[Key, Array]) -> None:
         self.payload = payload
         self.rules = rules
+        self.sticks: Kept | None = None
 
 
 def steering_setup(scenario: Scenario, payload: HeldPayload | None, limits: RateLimits | None = None) -> SteeringSetup:

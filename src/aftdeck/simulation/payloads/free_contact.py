@@ -24,7 +24,7 @@ from aftdeck.worksite.conditions import quantity_text
 from aftdeck.worksite.file.check import ARM
 from aftdeck.worksite.watch.clearance_monitor import ClearanceMonitor
 from aftdeck.worksite.watch.contact_motion import looked_at, worst_new_contact
-from aftdeck.worksite.watch.found import CLEARANCE, NORMAL, POINT_A, POINT_B
+from aftdeck.worksite.watch.found import NORMAL, POINT_A, POINT_B
 from aftdeck.worksite.watch.motion import motion
 
 HALVINGS = 8
@@ -50,7 +50,7 @@ def drifted(
         floating: the payload's free flight before this step.
     """
     site, period = flight.site, flight.scenario.control_period
-    if not measured(worksite.watch.found, site.of_payload[k]):  # no part is near enough to touch in this step
+    if not measured(worksite.watch.near, site.of_payload[k]):  # no part is near enough to touch in this step
         floating.move(period)
         floating.met = False
         return floating
@@ -64,12 +64,12 @@ def drifted(
 
 
 @law
-def measured(found: Array, groups: Mask) -> bool:
-    """Return whether any pair in `groups` (g,) has a measured clearance. Only small clearances are measured."""
-    near = False
+def measured(near: Mask, groups: Mask) -> bool:
+    """Return whether any pair in `groups` (g,) has a measured clearance, and so a 1 in `near` (g,)."""
+    found = False
     for g in range(len(groups)):
-        near = near or (groups[g] != 0 and found[g, CLEARANCE] < np.inf)
-    return near
+        found = found or (groups[g] != 0 and near[g] != 0)
+    return found
 
 
 def _frames(site: Site, worksite: WorksiteState, plant: PlantState, k: int, floating: Floating) -> Array:

@@ -41,7 +41,8 @@ def slide_along(flight: Flight, state: State, telescope: float, held: int) -> fl
     """
     site, worksite, period = flight.site, state.worksite, flight.scenario.control_period
     counts, travel, joints = site.slides[held], flight.telescope, len(state.plant.angles)
-    near = met(worksite.watch.found, counts, state.steering, abs(telescope) * travel.rate, period)
+    watch = worksite.watch
+    near = met(watch.found, watch.near, counts, state.steering, abs(telescope) * travel.rate, period)
     if near == 0.0:
         return telescope
     found = touches(worksite.watch, counts, site.payloads[held].name, near, period, OUT)

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import numpy as np
 
+from aftdeck.arrays import Array
 from aftdeck.bodies.pair import CONTACT, PAIR
-from aftdeck.bodies.pose import POSE
 from aftdeck.law import law
 from aftdeck.simulation.row.now import Motion, Watch
 from aftdeck.simulation.row.scalars import (
@@ -45,21 +45,24 @@ LOOSE = 0.25
 
 
 @law
-def seen(world: World, pairs: PackedLayout, now: Motion, watch: Watch) -> None:
-    """Place all frames, measure the clearances and count the contacts; write the results into the scalars."""
-    placed(world, now, watch)
+def seen(world: World, pairs: PackedLayout, now: Motion, watch: Watch, true: Array) -> None:
+    """Place all frames, measure the clearances and count the contacts; write the results into the scalars.
+
+    `true` (f, 12) are the poses of the arm's frames in L; (0, 12) if they follow from the joint angles.
+    """
+    placed(world, now, watch, true)
     measured(world, pairs, now, watch, world.constants[WITHIN])
 
 
 @law
-def placed(world: World, now: Motion, watch: Watch) -> None:
-    """Place all frames after a motion."""
+def placed(world: World, now: Motion, watch: Watch, true: Array) -> None:
+    """Place all frames after a motion; `true` as for `seen`."""
     v = now.scalars
     watch.monitored_before[:] = watch.active
     now.before[:] = now.frames
     place_everything(
         world.joints, world.scene, world.axes, now.orbiter, now.carrier, now.poses_in_carrier, now.angles, v[STAND],
-        v[PRONG_AT], np.empty((0, POSE)), now.base, now.frames,
+        v[PRONG_AT], true, now.base, now.frames,
     )  # fmt: skip
 
 
@@ -67,15 +70,16 @@ def placed(world: World, now: Motion, watch: Watch) -> None:
 def measured(world: World, pairs: PackedLayout, now: Motion, watch: Watch, within: float) -> None:
     """Measure the clearances below `within` [m] and count the contacts; write the results into the scalars."""
     v = now.scalars
-    own = Measured(watch.at, watch.placed, watch.bound, watch.likely, watch.memory, watch.found)
+    own = Measured(watch.at, watch.placed, watch.bound, watch.likely, watch.memory, watch.found, watch.near)
     measure_groups(pairs, own, watch.active, watch.counts, now.before, now.frames, world.constants[PERIOD], within)
-    counted = count_frames(watch.found, watch.count)
+    counted = count_frames(watch.found, watch.near, watch.count)
     v[TOUCHING], v[CHANGED] = 1.0 if counted.touching else 0.0, 1.0 if counted.changed else 0.0
     least = np.inf
-    for g in range(len(watch.found)):
-        least = min(least, watch.found[g, CLEARANCE])
+    for g in range(len(watch.near)):
+        if watch.near[g] != 0:
+            least = min(least, watch.found[g, CLEARANCE])
     v[LEAST] = least
-    nearest = minimum_clearance_group(watch.found, watch.counts)
+    nearest = minimum_clearance_group(watch.found, watch.near, watch.counts)
     v[NEAREST], v[NEAREST_CLEARANCE] = nearest, watch.found[nearest, CLEARANCE] if nearest >= 0 else np.inf
 
 
@@ -87,10 +91,10 @@ def bounded(pairs: PackedLayout, watch: Watch) -> float:
     measured anew, because they decrease with each motion of a part.
     """
     least: float = np.inf
-    own = Measured(watch.at, watch.placed, watch.bound, watch.likely, watch.memory, watch.found)
+    own = Measured(watch.at, watch.placed, watch.bound, watch.likely, watch.memory, watch.found, watch.near)
     measures = np.empty(PAIR)
     for g in range(len(watch.active)):
-        if watch.found[g, CLEARANCE] < np.inf or watch.count[g] != 0:
+        if watch.near[g] != 0 or watch.count[g] != 0:
             return -np.inf
     for g in range(len(watch.active)):
         if watch.active[g] != 0:

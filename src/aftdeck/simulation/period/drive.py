@@ -64,7 +64,7 @@ def free(world: World, now: Motion, watch: Watch) -> bool:
     if v[ORBITS] != 0.0 or (v[CLOSES] != 0.0 and v[STOPPED] != 0.0):
         return False
     for k in range(len(now.flights)):
-        if now.flights[k, FLOATS] != 0.0 and measured(watch.found, world.of_payload[k]):
+        if now.flights[k, FLOATS] != 0.0 and measured(watch.near, world.of_payload[k]):
             return False
     return True
 

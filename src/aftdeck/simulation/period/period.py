@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
+import numpy as np
+
 from aftdeck.arrays import Array, Indices, Mask
+from aftdeck.bodies.pose import POSE
 from aftdeck.law import law
 from aftdeck.lent import lend
 from aftdeck.simulation.period.attach import attached
@@ -58,12 +61,32 @@ def advance(
     reached = moved(world, now, watch, lend(rules), lend(resting))
     if reached < SEEN:
         return reached
-    seen(world, pairs, now, watch)
+    seen(world, pairs, now, watch, np.empty((0, POSE)))
     reached = settled(world, now, watch)
     if reached < ATTACHED or not observes or now.scalars[STAND_VELOCITY] != 0.0 or not counted(world, now, watch):
         return reached
     observed(world, now, lend(links))
     return COUNTED
+
+
+@law
+def contacts(
+    fixed_numbers: Array,
+    fixed_indices: Indices,
+    fixed_marks: Mask,
+    numbers: Array,
+    indices: Indices,
+    marks: Mask,
+    true: Array,
+) -> None:
+    """Place all frames, measure the clearances and count the contacts, after Python code has moved the bodies.
+
+    The arguments are those of `advance`; `true` is that of `contact.seen`.
+    """
+    world = world_of(lend(fixed_numbers), lend(fixed_indices), lend(fixed_marks))
+    pairs, tables = pairs_of(lend(fixed_numbers), lend(fixed_indices)), row_tables(lend(fixed_indices))
+    now = motion_of(lend(numbers), lend(indices), tables)
+    seen(world, pairs, now, watch_of(lend(numbers), lend(indices), lend(marks), tables), lend(true))
 
 
 @law

@@ -13,7 +13,6 @@ from aftdeck.simulation.row.scalars import (
     CYCLE_AT,
     FINGER,
     FLOATS,
-    GIVEN,
     HALT,
     LEAST,
     MOTION_AT,
@@ -69,6 +68,7 @@ def quick_step(flight: Flight, state: State, inputs: Inputs, *, observes: bool) 
 def take(state: State, reached: int) -> None:
     """Take the single values of the state from its row, after compiled code has made a step as far as `reached`."""
     plant, worksite, values = state.plant, state.worksite, state.row.scalars.tolist()
+    state.row.values = values
     worksite.halt = _HALTS[int(values[HALT])]
     if values[BEGAN]:
         state.panel.motion_began = state.tick - 1
@@ -88,7 +88,8 @@ def take(state: State, reached: int) -> None:
 
 def inhibit_of(state: State) -> Inhibit:
     """Return the inhibits that compiled code has found."""
-    arm, finger, changed = (value != 0.0 for value in state.row.scalars[[ARM, FINGER, CHANGED]].tolist())
+    values = state.row.values
+    arm, finger, changed = values[ARM] != 0.0, values[FINGER] != 0.0, values[CHANGED] != 0.0
     return Inhibit(arm, finger, changed) if arm or finger or changed else UNINHIBITED
 
 
@@ -96,16 +97,19 @@ def give(flight: Flight, state: State, inputs: Inputs) -> None:
     """Write the single values and free flights that compiled code needs into the state's row."""
     site, worksite, panel, plant = flight.site, state.worksite, state.panel, state.plant
     held, kind = worksite.held, MODES[panel.mode].kind
-    inhibit, snare = worksite.contacts.inhibit, worksite.snare
+    inhibit = worksite.contacts.inhibit
     released, docked = "", False
     if held is not None:
         payload = worksite.payloads[held]
         released, docked = payload.released_from, bool(payload.berth) and site.berth(payload.berth).docks
-    works = (
-        inputs.effector is not None or inputs.rigid is not None or inputs.latch is not None or bool(snare.motion)
-        or worksite.rigid != "off" or any(one.latches.motion for one in worksite.payloads)
-    )  # fmt: skip
-    state.row.scalars[:GIVEN] = (
+    works = inputs.effector is not None or inputs.rigid is not None or inputs.latch is not None
+    works = works or bool(worksite.snare.motion) or worksite.rigid != "off"
+    for payload in worksite.payloads:
+        works = works or bool(payload.latches.motion)
+    x, y, z = inputs.orbiter
+    if not (orbits := bool(x or y or z)) and site.worksite.translation is not None:
+        orbits = bool(worksite.orbiter_velocity.any())
+    state.row.give(
         inputs.telescope,
         _DRIVES[worksite.switch] if site.prong and not state.script.attached else 0.0,
         state.standing.height,
@@ -123,12 +127,12 @@ def give(flight: Flight, state: State, inputs: Inputs) -> None:
         held is not None and flight.inhibits and kind in ("automatic", "manual"),
         inhibit.arm,
         inhibit.finger,
-        any(inputs.orbiter) or any(worksite.orbiter_velocity.tolist()),
+        orbits,
         works,
         worksite.task,
         worksite.nearest,
     )
-    floats = any(one is not None for one in worksite.floating)
+    floats = worksite.floating.count(None) < len(worksite.floating)
     if floats or state.row.floats:
         _give_flights(state)
         state.row.floats = floats

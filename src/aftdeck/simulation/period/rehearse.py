@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from aftdeck.arrays import Array, Indices, Mask
+from aftdeck.bodies.pose import POSE
 from aftdeck.kinematics.solver import nearest_singularity
 from aftdeck.law import law
 from aftdeck.lent import lend
@@ -71,7 +72,7 @@ def rehearsed(
     for k in range(len(now.flights)):
         near = near or now.flights[k, FLOATS] != 0.0
     within = world.constants[WITHIN] if near else CLOSE
-    bound = -np.inf
+    bound, true = -np.inf, np.empty((0, POSE))
     values[REACHED] = ATTACHED
     for _ in range(most):
         passes = report[DISTANCE] <= values[PASSES] and report[ANGLE] <= values[PASSES_TURN]
@@ -79,7 +80,7 @@ def rehearsed(
             return
         reached = moved(world, now, watch, rules, resting)
         if reached == SEEN:
-            placed(world, now, watch)
+            placed(world, now, watch, true)
             if always or not still_clear(pairs, now, watch, bound, within):
                 measured(world, pairs, now, watch, within)
                 bound = bounded(pairs, watch)

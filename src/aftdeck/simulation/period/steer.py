@@ -69,7 +69,7 @@ def steered(world: World, now: Motion, watch: Watch, rules: Array, resting: Arra
         return True
     if slides:
         speed = abs(v[TELESCOPE]) * world.constants[TELESCOPE_RATE]
-        if met(watch.found, world.slides[held], steering, speed, world.constants[PERIOD]) != 0.0:
+        if met(watch.found, watch.near, world.slides[held], steering, speed, world.constants[PERIOD]) != 0.0:
             return False
     return bool(v[INHIBITED] == 0.0)
 

@@ -46,6 +46,7 @@ class Watch(NamedTuple):
     memory: Array
     found: Array
     likely: Indices
+    near: Mask
     active: Mask
     counts: Mask
     monitored_before: Mask
@@ -62,7 +63,7 @@ NUMBERS = (
 """Parts of the row's float64, in their order."""
 INDICES = ("carrier", "likely")
 """Parts of its int64."""
-MARKS = ("active", "counts", "monitored_before", "count", "essential", "arm", "permitted")
+MARKS = ("near", "active", "counts", "monitored_before", "count", "essential", "arm", "permitted")
 """Parts of its uint8."""
 
 
@@ -108,5 +109,5 @@ def watch_of(numbers: Array, indices: Indices, marks: Mask, tables: Tables) -> W
         block(numbers, own, 15), block(numbers, own, 16), line(numbers, own, 17), block(numbers, own, 18),
         block(numbers, own, 19), line(indices, tables.indices, 1), line(marks, flags, 0), line(marks, flags, 1),
         line(marks, flags, 2), line(marks, flags, 3), line(marks, flags, 4), line(marks, flags, 5),
-        line(marks, flags, 6),
+        line(marks, flags, 6), line(marks, flags, 7),
     )  # fmt: skip

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from struct import Struct
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -9,17 +10,20 @@ import numpy as np
 from aftdeck.flat import parts, size
 from aftdeck.kinematics.observe import SEEN
 from aftdeck.simulation.row.now import INDICES, MARKS, NUMBERS, Tables, tables_of
+from aftdeck.simulation.row.scalars import GIVEN
+from aftdeck.steering.layout import LAW, MOTION_ACTIVE
 
 if TYPE_CHECKING:
     from aftdeck.simulation.state import State
 
+_GIVEN, _ORDERED = Struct(f"{GIVEN}d"), Struct(f"{MOTION_ACTIVE - LAW}d")
 _OWN = ("steering", "command", "report", "observed")
 _PLANT = ("angles", "rates", "commanded", "base")
 _WORKSITE = (
     "orbiter", "orbiter_velocity", "poses_in_carrier", "frames", "before", "carrier", "monitored_before", "permitted",
 )  # fmt: skip
 _CONTACTS = ("count", "essential", "arm")
-_WATCH = ("at", "placed", "bound", "memory", "found", "likely", "active", "counts")
+_WATCH = ("at", "placed", "bound", "memory", "found", "likely", "near", "active", "counts")
 """Arrays of a state that are parts of its row, by the part of the state to which they belong."""
 
 
@@ -31,6 +35,7 @@ class Row:
         indices: int64.
         marks: uint8.
         scalars: the part of the numbers that `row.scalars` describes.
+        values: the scalars after the last step, as Python's numbers.
         flights: (c, 39) free flights, filled before a step in which a payload floats.
         floats: whether a payload floats according to `flights`.
         packed: the three flat arrays.
@@ -50,8 +55,17 @@ class Row:
             for name, part in zip(names, parts(flat, table), strict=True)
         }
         self.scalars, self.flights = self._parts["scalars"], self._parts["flights"]
-        self.floats = False
+        self.floats, self.values = False, self.scalars.tolist()
+        self._given, self._ordered = memoryview(self.scalars).cast("B"), memoryview(self._parts["command"]).cast("B")
         self.packed = self.numbers, self.indices, self.marks
+
+    def give(self, *values: float) -> None:
+        """Write the first scalars, up to `scalars.GIVEN`; this takes less time than to assign them to the array."""
+        _GIVEN.pack_into(self._given, 0, *values)
+
+    def order(self, law: int, sticks: tuple[float, ...], joint: int, drive: float) -> None:
+        """Write the beginning of the steering's command: its law, sticks, joint and drive."""
+        _ORDERED.pack_into(self._ordered, 0, law, *sticks, joint, drive)
 
     def take(self, state: State) -> None:
         """Move the arrays of a state into the row: the state's arrays are parts of the row from then on."""

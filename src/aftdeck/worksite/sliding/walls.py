@@ -40,11 +40,12 @@ as in contact up to a clearance of 1e-9 m."""
 
 
 @law
-def met(found: Array, counts: Mask, steering: Array, stand: float, period: float) -> float:
+def met(found: Array, near: Mask, counts: Mask, steering: Array, stand: float, period: float) -> float:
     """Return the distance within which walls are considered [m]; 0 if no wall is within this distance.
 
     Args:
         found: (g, 15) the last measurements.
+        near: (g,) 1 for groups whose clearance in `found` is finite.
         counts: (g,) 1 for groups that consist of a sliding part and a wall.
         steering: state of the steering, with the step's commanded twist.
         stand: speed of the telescope [m/s].
@@ -54,9 +55,9 @@ def met(found: Array, counts: Mask, steering: Array, stand: float, period: float
     for k in range(3):
         turn += abs(steering[TWIST + k])
         speed += abs(steering[TWIST + 3 + k])
-    near: float = max(REACH_S * (speed + SIZE * turn) * period, LEAST_REACH)
-    wall = minimum_clearance_group(found, counts)
-    return near if wall >= 0 and found[wall, CLEARANCE] <= near else 0.0
+    reach: float = max(REACH_S * (speed + SIZE * turn) * period, LEAST_REACH)
+    wall = minimum_clearance_group(found, near, counts)
+    return reach if wall >= 0 and found[wall, CLEARANCE] <= reach else 0.0
 
 
 @law

@@ -57,6 +57,7 @@ class Measured(NamedTuple):
     likely: Indices
     memory: Array
     found: Array
+    near: Mask
 
 
 @law
@@ -177,6 +178,7 @@ def watch(
     likely: Indices,
     memory: Array,
     found: Array,
+    near: Mask,
 ) -> None:
     """Run `measure_groups`.
 
@@ -184,7 +186,7 @@ def watch(
     faster than a tuple of arrays.
     """
     layout = PackedLayout(solids, frame, pairs, begins, between_frames, reach)
-    own = Measured(at, placed, bound, likely, memory, found)
+    own = Measured(at, placed, bound, likely, memory, found, near)
     measure_groups(layout, own, active, counts, before, now, period, within)
 
 
@@ -213,27 +215,24 @@ def measure_groups(
         period: time between `before` and `now` [s].
         within: clearance up to which groups are measured [m]; inf for all groups.
     """
-    bound, found, between = own.bound, own.found, layout.between_frames
-    travel, motions = np.empty(len(now)), np.empty((len(now), 6))
+    bound, found, between, near = own.bound, own.found, layout.between_frames, own.near
+    travel = np.empty(len(now))
     travelled(now, own.at, layout.reach, travel)
     place_moved(layout, now, own.at, own.placed)
-    for f in range(len(now)):
-        m = motion(before[f], now[f], period)
-        for k in range(6):
-            motions[f, k] = m[k]
     measures = np.empty(packed.PAIR)
     least, nearest, lowest = np.inf, -1, np.inf
     for g in range(len(active)):
         bound[g] -= travel[between[g, 0]] + travel[between[g, 1]]
-        near = active[g] != 0 and not bound[g] >= within
-        if near:
-            near = measure_group(layout, own, g, measures) < within
-        if near:
-            _fill(layout, own, g, now, motions, measures)
-        elif found[g, CLEARANCE] < np.inf:
-            found[g, CLEARANCE], found[g, SPEED:] = np.inf, 0.0
+        close = active[g] != 0 and not bound[g] >= within
+        if close:
+            close = measure_group(layout, own, g, measures) < within
+        if close:
+            _fill(layout, own, g, before, now, period, measures)
+        elif near[g] != 0:
+            found[g, CLEARANCE], found[g, SPEED:], near[g] = np.inf, 0.0, 0
         if active[g] != 0 and counts[g] != 0:
-            least = min(least, found[g, CLEARANCE])
+            if near[g] != 0:
+                least = min(least, found[g, CLEARANCE])
             if bound[g] < lowest:
                 nearest, lowest = g, bound[g]
     if least < np.inf or nearest < 0:
@@ -248,7 +247,7 @@ def measure_groups(
             if clearance < least or (clearance == least and g < best):
                 best, least = g, clearance
                 measures[:] = other
-    _fill(layout, own, best, now, motions, measures)
+    _fill(layout, own, best, before, now, period, measures)
 
 
 @law
@@ -269,6 +268,7 @@ def except_far(
     likely: Indices,
     memory: Array,
     found: Array,
+    near: Mask,
 ) -> None:
     """Write a 0 into `counts` (g,) for the active groups `among` (g,) whose clearance exceeds `least` (g,) [m].
 
@@ -276,7 +276,7 @@ def except_far(
     are separate as in `watch`.
     """
     layout = PackedLayout(solids, frame, pairs, begins, between_frames, reach)
-    own = Measured(at, placed, bound, likely, memory, found)
+    own = Measured(at, placed, bound, likely, memory, found, near)
     measures = np.empty(packed.PAIR)
     for g in range(len(among)):
         if among[g] == 0 or active[g] == 0:
@@ -299,16 +299,19 @@ def measure_group(layout: PackedLayout, own: Measured, g: int, measures: Array) 
 
 
 @law
-def _fill(layout: PackedLayout, own: Measured, g: int, now: Array, motions: Array, measures: Array) -> None:
+def _fill(
+    layout: PackedLayout, own: Measured, g: int, before: Array, now: Array, period: float, measures: Array
+) -> None:
     """Write the latest measurements of a group's nearest pair, `measures` (17,), into the group's row (15,)."""
     k, row = own.likely[g], own.found[g]
     i, j = layout.pairs[k, 0], layout.pairs[k, 1]
     copy_pair(measures, row)
-    row[WHICH] = k
+    own.near[g], row[WHICH] = 1, k
     if row[CLEARANCE] <= CONTACT:
         way_apart(own.placed[i], own.placed[j], row)
-    va = velocity(now, motions, layout.frame[i], vector_at(row, POINT_A))
-    vb = velocity(now, motions, layout.frame[j], vector_at(row, POINT_B))
+    a, b = layout.frame[i], layout.frame[j]
+    va = velocity(now[a], motion(before[a], now[a], period), vector_at(row, POINT_A))
+    vb = velocity(now[b], motion(before[b], now[b], period), vector_at(row, POINT_B))
     row[SPEED] = dot(vector_at(row, NORMAL), minus(va, vb))
 
 
@@ -338,11 +341,11 @@ def way_apart(a: Array, b: Array, row: Array) -> None:
 
 
 @law
-def minimum_clearance_group(found: Array, counts: Mask) -> int:
+def minimum_clearance_group(found: Array, near: Mask, counts: Mask) -> int:
     """Return the group of least clearance among groups with a 1 in `counts` (g,); -1 if none of these was measured."""
     best, least = -1, np.inf
-    for g in range(len(found)):
-        if counts[g] != 0 and found[g, CLEARANCE] < least:
+    for g in range(len(near)):
+        if near[g] != 0 and counts[g] != 0 and found[g, CLEARANCE] < least:
             best, least = g, found[g, CLEARANCE]
     return best
 
@@ -357,6 +360,7 @@ class ClearanceMonitor(Cache):
         active: (g,) 1 for groups that are measured; the caller sets it.
         counts: (g,) 1 for groups that count in the search for the nearest group; the caller sets it.
         found: (g, 15) the last measurements, rows as in `worksite.watch.found`.
+        near: (g,) 1 for groups whose clearance in `found` is finite.
         likely: (g,) nearest pair of each group at its last measurement.
         memory: (m, 17) remembered data of each pair of solids.
         at: (F, 12) poses of the frames at the last measurement, in L.
@@ -377,13 +381,14 @@ class ClearanceMonitor(Cache):
         self.bound = np.empty(len(layout.groups))
         self.at = np.empty((len(layout.frames), POSE))
         self.placed = np.zeros((len(layout.solids), SOLID))
+        self.near = np.zeros(len(layout.groups), np.uint8)
         self.least = -np.inf
         self.pack()
         self.forget()
 
     def pack(self) -> None:
         """Set `packed` to the present arrays."""
-        self.packed = Measured(self.at, self.placed, self.bound, self.likely, self.memory, self.found)
+        self.packed = Measured(self.at, self.placed, self.bound, self.likely, self.memory, self.found, self.near)
 
     def forget(self) -> None:
         """Discard the remembered data. This does not change the result of the next measurement."""
@@ -417,7 +422,7 @@ class ClearanceMonitor(Cache):
 
     def nearest(self, counts: Mask) -> int:
         """Return the group of least clearance among groups with a 1 in `counts` (g,); -1 if none was measured."""
-        return minimum_clearance_group(self.found, counts)
+        return minimum_clearance_group(self.found, self.near, counts)
 
     def copied(self) -> Self:
         """Return a copy of the monitor with the same measurements and remembered data."""

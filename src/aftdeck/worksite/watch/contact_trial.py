@@ -181,6 +181,7 @@ def tried_many(
     likely: Indices,
     memory: Array,
     found: Array,
+    near: Mask,
     trials: Array,
 ) -> None:
     """Write the prediction for each of several motions, `afters` (k, F, 12), into `trials` (k, 7).
@@ -190,7 +191,7 @@ def tried_many(
     """
     layout = PackedLayout(solids, frame, pairs, begins, between_frames, reach)
     for k in range(len(afters)):
-        own = Measured(at.copy(), placed.copy(), bound, likely, memory, found)
+        own = Measured(at.copy(), placed.copy(), bound, likely, memory, found, near)
         t = predict_contacts(layout, own, counts, harmful, afters[k])
         trials[k, WORST], trials[k, GROUP], trials[k, GAINED] = t.worst, t.which, t.gained
         trials[k, SLID], trials[k, DEEPEST] = t.slid, t.deeper

@@ -1,20 +1,12 @@
-"""One step of the worksite in one compiled call: poses of all frames, clearances of all groups, and contacts.
-
-A group is a monitored pair of parts.
-"""
+"""Poses of all coordinate frames, and the place that is nearest to one of them."""
 
 from __future__ import annotations
 
-import numpy as np
-
-from aftdeck.arrays import Array, Indices, Mask
+from aftdeck.arrays import Array, Indices
 from aftdeck.bodies.pose import HERE, compose, relative
 from aftdeck.kinematics.frames import place_frames, place_prong
 from aftdeck.law import law
-from aftdeck.worksite.watch.clearance_monitor import Measured, measure_groups, minimum_clearance_group
-from aftdeck.worksite.watch.contacts import count_frames
-from aftdeck.worksite.watch.found import CLEARANCE
-from aftdeck.worksite.watch.groups import POSE, PackedLayout
+from aftdeck.worksite.watch.groups import POSE
 
 
 @law
@@ -88,63 +80,6 @@ def _see_from(base: Array, carrier: Indices, frames: Array) -> None:
         if row == space or carrier[row - space - 1] < 0:
             there = frames[row].copy()
             relative(base, there, frames[row])
-
-
-@law
-def update_contacts(
-    joints: Array,
-    scene: Array,
-    axes: Array,
-    orbiter: Array,
-    carrier: Indices,
-    rides: Array,
-    angles: Array,
-    stand: float,
-    prong: float,
-    true: Array,
-    base: Array,
-    solids: Array,
-    frame: Indices,
-    pairs: Indices,
-    begins: Indices,
-    between_frames: Indices,
-    reach: Array,
-    active: Mask,
-    counts: Mask,
-    before: Array,
-    now: Array,
-    period: float,
-    within: float,
-    at: Array,
-    placed: Array,
-    bound: Array,
-    likely: Indices,
-    memory: Array,
-    found: Array,
-    count: Mask,
-) -> tuple[bool, bool, int, float]:
-    """Run `place_everything`, `measure_groups` and `count_frames`; the arguments are those of these three laws.
-
-    The arrays of the tuples are separate arguments here, because Python passes separate arrays faster than a tuple.
-
-    On entry `now` holds the frames of the last step. They are copied to `before`, and `now` receives the new frames.
-
-    Returns:
-        Four values: whether a group is in contact; whether a contact began, ended or reached its second step; the
-        group of least clearance among those with a 1 in `counts`, -1 if there is none; and the least clearance that was
-        measured [m]. The result is a plain tuple, because compiled code builds plain tuples in less time than named
-        tuples.
-    """
-    before[:] = now
-    place_everything(joints, scene, axes, orbiter, carrier, rides, angles, stand, prong, true, base, now)
-    layout = PackedLayout(solids, frame, pairs, begins, between_frames, reach)
-    own = Measured(at, placed, bound, likely, memory, found)
-    measure_groups(layout, own, active, counts, before, now, period, within)
-    counted = count_frames(found, count)
-    least = np.inf
-    for g in range(len(found)):
-        least = min(least, found[g, CLEARANCE])
-    return counted.touching, counted.changed, minimum_clearance_group(found, counts), least
 
 
 @law

@@ -63,16 +63,17 @@ class Counted(NamedTuple):
 
 
 @law
-def count_frames(found: Array, count: Mask) -> Counted:
+def count_frames(found: Array, near: Mask, count: Mask) -> Counted:
     """Update the number of successive steps in which each group was in contact.
 
     Args:
         found: (g, 15) measurements of this step, rows as in `worksite.watch.found`.
+        near: (g,) 1 for groups whose clearance in `found` is finite.
         count: (g,) the number for each group, at most 2; updated.
     """
     touching, changed = False, False
     for g in range(len(count)):
-        now = min(int(count[g]) + 1, FRAMES) if found[g, CLEARANCE] <= CONTACT else 0
+        now = min(int(count[g]) + 1, FRAMES) if near[g] != 0 and found[g, CLEARANCE] <= CONTACT else 0
         changed = changed or now != count[g]
         touching = touching or now > 0
         count[g] = now
@@ -137,9 +138,9 @@ class Contacts(StatePart):
     count: Mask
     inhibit: Inhibit = UNINHIBITED
 
-    def update(self, found: Array, prong: Mask, mode: int) -> Inhibit:
-        """Count the contacts in a step's measurements, `ClearanceMonitor.found` (g, 15), and return the flags."""
-        counted = count_frames(found, self.count)
+    def update(self, found: Array, near: Mask, prong: Mask, mode: int) -> Inhibit:
+        """Count the contacts in a step's measurements, those of a `ClearanceMonitor`, and return the flags."""
+        counted = count_frames(found, near, self.count)
         return self.judge(counted.touching, counted.changed, prong, mode)
 
     def judge(self, touching: bool, changed: bool, prong: Mask, mode: int, *, inhibits: bool = True) -> Inhibit:

@@ -77,7 +77,11 @@ def _dot(r: Array, q: Array, i: int, j: int) -> float:
 
 
 @law
-def velocity(frames: Array, motions: Array, f: int, point: Vector) -> Vector:
-    """Return the velocity [m/s] of a point that moves with frame f; poses (F, 12), motions (F, 6)."""
-    r, w, v = minus(point, vector_at(frames[f], 0)), vector_at(motions[f], 0), vector_at(motions[f], 3)
-    return Vector(v.x + w.y * r.z - w.z * r.y, v.y + w.z * r.x - w.x * r.z, v.z + w.x * r.y - w.y * r.x)
+def velocity(frame: Array, moves: Motion, point: Vector) -> Vector:
+    """Return the velocity [m/s] of a point that moves with a frame at the pose `frame` (12,)."""
+    r, w = minus(point, vector_at(frame, 0)), moves
+    return Vector(
+        w.vx + w.wy * r.z - w.wz * r.y,
+        w.vy + w.wz * r.x - w.wx * r.z,
+        w.vz + w.wx * r.y - w.wy * r.x,
+    )

@@ -14,7 +14,7 @@ from aftdeck.bodies.vector import Vector, dot, minus, vector_at
 from aftdeck.law import law
 from aftdeck.worksite.watch.found import CLEARANCE
 from aftdeck.worksite.watch.groups import CENTRE, RADIUS
-from aftdeck.worksite.watch.motion import motion, velocity
+from aftdeck.worksite.watch.motion import Motion, motion, velocity
 
 _ROUNDING = 1e-6
 """Margin by which two boxes may be apart although their solids are in contact [m]: more than rounding errors."""
@@ -120,9 +120,15 @@ def _speed(now: Array, motions: Array, i: int, j: int, centre: Vector, radius: f
         centre: centre of the sphere in L [m].
         radius: its radius [m].
     """
-    past = minus(velocity(now, motions, i, centre), velocity(now, motions, j, centre))
+    past = minus(velocity(now[i], _of(motions[i]), centre), velocity(now[j], _of(motions[j]), centre))
     turn = minus(vector_at(motions[i], 0), vector_at(motions[j], 0))
     return sqrt(dot(past, past)) + radius * sqrt(dot(turn, turn))
+
+
+@law
+def _of(row: Array) -> Motion:
+    """Return the motion of a frame from its row (6,)."""
+    return Motion(row[0], row[1], row[2], row[3], row[4], row[5])
 
 
 @law
