@@ -72,7 +72,7 @@ def _steer(state: State) -> None:
     """Measure the arm, plan an automatic motion in the step in which it begins, and compute the commanded rates."""
     state.measure()
     if state.panel.sequence == "in progress" and state.command[MOTION_ACTIVE] == 0.0:
-        start_motion(state.rules_under_way, state.command, state.steering)
+        start_motion(state.both_rules()[0], state.command, state.steering)
         if state.command[MOTION_ACTIVE] != 0.0:
             state.panel.motion_began = state.tick - 1
     msteer(state.rules, state.command, state.steering, state.report)

@@ -184,20 +184,20 @@ class State(StatePart, dict=True):
     @property
     def rules(self) -> Array:
         """Steering rules in force."""
-        return self.rules_at_rest if self.command[MOTION_ACTIVE] == 0.0 else self.rules_under_way
+        under_way, at_rest = self.both_rules()
+        return at_rest if self.command[MOTION_ACTIVE] == 0.0 else under_way
 
-    @property
-    def rules_at_rest(self) -> Array:
-        """Steering rules while no automatic motion is in progress: those of law 2 replace those of law 1."""
-        panel, law = self.panel, self.panel.flown
-        if law == AUTOMATIC_LAWS["position"]:
-            law = AUTOMATIC_LAWS["closed loop"]
-        return self.carried.rules[panel.mode, panel.rate, law]
+    def both_rules(self) -> tuple[Array, Array]:
+        """Return the steering's rules of an automatic motion that is in progress or begins, and those without one.
 
-    @property
-    def rules_under_way(self) -> Array:
-        """Steering rules of an automatic motion that is in progress or begins."""
-        return self.carried.rules[self.panel.mode, self.panel.rate, self.panel.flown]
+        They differ only for law 1: while no automatic motion is in progress, law 2's rules replace those of law 1.
+        """
+        panel, rules = self.panel, self.carried.rules
+        law = panel.flown
+        under_way = rules[panel.mode, panel.rate, law]
+        if law != AUTOMATIC_LAWS["position"]:
+            return under_way, under_way
+        return under_way, rules[panel.mode, panel.rate, AUTOMATIC_LAWS["closed loop"]]
 
     @property
     def shoulder_offset(self) -> float:

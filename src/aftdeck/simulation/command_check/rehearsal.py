@@ -95,8 +95,7 @@ class Rehearsal:
         rehearsed(
             *flight.packed,
             *copy.row.packed,
-            copy.rules_under_way,
-            copy.rules_at_rest,
+            *copy.both_rules(),
             copy.arm.model.links,
             values,
             most,

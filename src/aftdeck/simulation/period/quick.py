@@ -56,8 +56,7 @@ def quick_step(flight: Flight, state: State, inputs: Inputs, *, observes: bool) 
     reached = advance(
         *flight.packed,
         *state.row.packed,
-        state.rules_under_way,
-        state.rules_at_rest,
+        *state.both_rules(),
         state.arm.model.links,
         observes,
     )

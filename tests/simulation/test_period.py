@@ -1,0 +1,67 @@
+"""The compiled part of a step against the same step in Python, with random sticks and switches."""
+
+from __future__ import annotations
+
+from collections import Counter
+
+import numpy as np
+import pytest
+
+from aftdeck.scenario.load import built_in, load_scenario
+from aftdeck.simulation import fly
+from aftdeck.simulation.command_check import rehearsal
+from aftdeck.simulation.constants.flight import Flight
+from aftdeck.simulation.inputs import Inputs
+from aftdeck.simulation.period.period import ATTACHED, COUNTED, STEERED
+from aftdeck.simulation.run import Simulation
+from aftdeck.simulation.state import State
+from tests.simulation.flights import random_inputs
+
+STEPS = 700
+"""Number of steps of each run."""
+
+
+def in_python(flight: Flight, state: State, inputs: Inputs, *, observes: bool) -> int:
+    """Steer in place of `quick_step`: all the rest of the step is then made in Python."""
+    del flight, inputs, observes
+    fly._steer(state)
+    return STEERED
+
+
+def digests(name: str, seed: int | None, steps: int) -> list[bytes]:
+    """Return the digest of each step: of the script, or of random sticks."""
+    sim = Simulation(name)
+    given = None if seed is None else random_inputs(np.random.default_rng(seed), steps)
+    found = []
+    while len(found) < steps and not sim.ended:
+        sim.advance(None if given is None else next(given))
+        found.append(sim.seal())
+    return found
+
+
+@pytest.mark.parametrize("name", built_in())
+@pytest.mark.parametrize("seed", [None, 1, 2])
+def test_compiled_steps_change_the_state_as_steps_in_python_do(
+    name: str, seed: int | None, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    if seed is None and not load_scenario(name).phases:
+        pytest.skip("this scenario has no script")
+    compiled = digests(name, seed, STEPS)
+    monkeypatch.setattr(fly, "quick_step", in_python)
+    monkeypatch.setattr(rehearsal, "_COMMANDED", STEPS * 1000)
+    assert digests(name, seed, STEPS) == compiled
+
+
+@pytest.mark.parametrize("name", ["srms-berth", "concept-1972-script", "free-flyer", "srms-deploy"])
+def test_most_steps_are_compiled_as_a_whole(name: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    reached: Counter[int] = Counter()
+    own = fly.quick_step
+
+    def counted(flight: Flight, state: State, inputs: Inputs, *, observes: bool) -> int:
+        found = own(flight, state, inputs, observes=observes)
+        reached[found] += observes
+        return found
+
+    monkeypatch.setattr(fly, "quick_step", counted)
+    digests(name, None if load_scenario(name).phases else 1, 2000)
+    assert reached[COUNTED] + reached[ATTACHED] > 0.5 * reached.total(), reached
