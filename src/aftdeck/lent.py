@@ -45,7 +45,6 @@ class _Lend:
 @functools.cache
 def _compiled() -> Any:
     """Return Numba's code of `lend`: the same array without the object that counts its references."""
-    from numba.core import cgutils  # noqa: PLC0415
     from numba.extending import intrinsic  # noqa: PLC0415
 
     def lent(context: Any, array: Any) -> Any:
@@ -53,8 +52,7 @@ def _compiled() -> Any:
 
         def code(target: Any, builder: Any, signature: Any, given: Any) -> Any:
             view = target.make_array(signature.args[0])(target, builder, value=given[0])
-            view.meminfo = cgutils.get_null_value(view.meminfo.type)
-            view.parent = cgutils.get_null_value(view.parent.type)
+            view.meminfo, view.parent = view.meminfo.type(None), view.parent.type(None)
             return view._getvalue()
 
         return array(array), code

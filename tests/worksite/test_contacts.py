@@ -36,7 +36,7 @@ def frame(*colliding: int, clearance: float = -0.02) -> np.ndarray:
 
 
 def near(found: np.ndarray) -> np.ndarray:
-    return np.isfinite(found[:, CLEARANCE]).astype(np.uint8)
+    return np.asarray(np.isfinite(found[:, CLEARANCE]), np.uint8)
 
 
 def after(watched: Contacts, mode: int, *frames: np.ndarray) -> tuple[bool, bool]:

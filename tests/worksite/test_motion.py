@@ -8,7 +8,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from aftdeck.bodies.vector import Vector
-from aftdeck.worksite.watch.motion import motion, velocity
+from aftdeck.worksite.watch.motion import Motion, motion, velocity
 from tests.worksite.scenes import moved, poses
 
 
@@ -27,7 +27,7 @@ def test_constant_twist_is_recovered(seed: int, angle: float) -> None:
     assert found[3:] == pytest.approx(np.cross(twist[0, :3], now[:3]) + twist[0, 3:], **near)
     point = rng.normal(size=3)
     expected = np.cross(twist[0, :3], point) + twist[0, 3:]
-    assert velocity(now[None], found[None], 0, Vector(*point)) == pytest.approx(expected, **near)
+    assert velocity(now, Motion(*found), Vector(*point)) == pytest.approx(expected, **near)
 
 
 def test_stationary_coordinate_frame_has_zero_twist() -> None:

@@ -72,7 +72,7 @@ def measured(world: World, pairs: PackedLayout, now: Motion, watch: Watch, withi
     v = now.scalars
     own = Measured(watch.at, watch.placed, watch.bound, watch.likely, watch.memory, watch.found, watch.near)
     measure_groups(pairs, own, watch.active, watch.counts, now.before, now.frames, world.constants[PERIOD], within)
-    counted = count_frames(watch.found, watch.near, watch.count)
+    counted = count_frames(watch.found, watch.near, watch.frames_touching)
     v[TOUCHING], v[CHANGED] = 1.0 if counted.touching else 0.0, 1.0 if counted.changed else 0.0
     least = np.inf
     for g in range(len(watch.near)):
@@ -94,7 +94,7 @@ def bounded(pairs: PackedLayout, watch: Watch) -> float:
     own = Measured(watch.at, watch.placed, watch.bound, watch.likely, watch.memory, watch.found, watch.near)
     measures = np.empty(PAIR)
     for g in range(len(watch.active)):
-        if watch.near[g] != 0 or watch.count[g] != 0:
+        if watch.near[g] != 0 or watch.frames_touching[g] != 0:
             return -np.inf
     for g in range(len(watch.active)):
         if watch.active[g] != 0:
@@ -133,6 +133,6 @@ def judged(world: World, now: Motion, watch: Watch) -> bool:
             watch.essential[g] = world.task[g] | world.slides[held, g] if slides else world.task[g]
     v[ARM] = v[FINGER] = 0.0
     if v[TOUCHING] != 0.0 and world.constants[INHIBITS] != 0.0:
-        arm, finger = two_frames(watch.count, watch.essential, watch.arm, world.by_prong, int(v[TASK]))
+        arm, finger = two_frames(watch.frames_touching, watch.essential, watch.arm, world.by_prong, int(v[TASK]))
         v[ARM], v[FINGER] = 1.0 if arm else 0.0, 1.0 if finger else 0.0
     return True

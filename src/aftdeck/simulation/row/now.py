@@ -38,7 +38,10 @@ class Motion(NamedTuple):
 
 
 class Watch(NamedTuple):
-    """Clearances and contacts; each has the name of the array of `ClearanceMonitor` or `Contacts` that it is."""
+    """Clearances and contacts; each has the name of the array of `ClearanceMonitor` or `Contacts` that it is.
+
+    `frames_touching` is `Contacts.count`.
+    """
 
     at: Array
     placed: Array
@@ -50,7 +53,7 @@ class Watch(NamedTuple):
     active: Mask
     counts: Mask
     monitored_before: Mask
-    count: Mask
+    frames_touching: Mask
     essential: Mask
     arm: Mask
     permitted: Mask
@@ -63,7 +66,7 @@ NUMBERS = (
 """Parts of the row's float64, in their order."""
 INDICES = ("carrier", "likely")
 """Parts of its int64."""
-MARKS = ("near", "active", "counts", "monitored_before", "count", "essential", "arm", "permitted")
+MARKS = ("near", "active", "counts", "monitored_before", "frames_touching", "essential", "arm", "permitted")
 """Parts of its uint8."""
 
 

@@ -23,6 +23,7 @@ _WORKSITE = (
     "orbiter", "orbiter_velocity", "poses_in_carrier", "frames", "before", "carrier", "monitored_before", "permitted",
 )  # fmt: skip
 _CONTACTS = ("count", "essential", "arm")
+_RENAMED = {"count": "frames_touching"}
 _WATCH = ("at", "placed", "bound", "memory", "found", "likely", "near", "active", "counts")
 """Arrays of a state that are parts of its row, by the part of the state to which they belong."""
 
@@ -56,7 +57,7 @@ class Row:
         }
         self.scalars, self.flights = self._parts["scalars"], self._parts["flights"]
         self.floats, self.values = False, self.scalars.tolist()
-        self._given, self._ordered = memoryview(self.scalars).cast("B"), memoryview(self._parts["command"]).cast("B")
+        self._given, self._ordered = self.scalars.data.cast("B"), self._parts["command"].data.cast("B")
         self.packed = self.numbers, self.indices, self.marks
 
     def give(self, *values: float) -> None:
@@ -73,8 +74,9 @@ class Row:
         owners = (state, state.plant, worksite, worksite.contacts, worksite.watch)
         for owner, names in zip(owners, (_OWN, _PLANT, _WORKSITE, _CONTACTS, _WATCH), strict=True):
             for name in names:
-                self._parts[name][...] = getattr(owner, name)
-                setattr(owner, name, self._parts[name])
+                part = self._parts[_RENAMED.get(name, name)]
+                part[...] = getattr(owner, name)
+                setattr(owner, name, part)
         worksite.watch.pack()
 
 

@@ -13,7 +13,7 @@ equals the result of a monitor without memory, to the last digit.
 from __future__ import annotations
 
 from math import sqrt
-from typing import NamedTuple, Self
+from typing import Any, NamedTuple, Self
 
 import numpy as np
 
@@ -388,7 +388,9 @@ class ClearanceMonitor(Cache):
 
     def pack(self) -> None:
         """Set `packed` to the present arrays."""
-        self.packed = Measured(self.at, self.placed, self.bound, self.likely, self.memory, self.found, self.near)
+        self.packed: tuple[Any, ...] = Measured(
+            self.at, self.placed, self.bound, self.likely, self.memory, self.found, self.near
+        )
 
     def forget(self) -> None:
         """Discard the remembered data. This does not change the result of the next measurement."""
