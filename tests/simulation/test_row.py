@@ -66,8 +66,9 @@ def test_laws_receive_the_constants_of_a_run(name: str) -> None:
     flight, _ = flown(name)
     packed = flight.packed
     world, pairs = _world(flight), flight.site.layout.packed
+    given: tuple[np.ndarray, ...] = (*world, *pairs)
     got: tuple[np.ndarray, ...] = (*world_of(*packed), *pairs_of(packed.numbers, packed.indices))
-    for name_of, array, expected in zip((*world._fields, *pairs._fields), got, (*world, *pairs), strict=True):
+    for name_of, array, expected in zip((*world._fields, *pairs._fields), got, given, strict=True):
         assert array.shape == expected.shape, name_of
         assert np.array_equal(array, expected, equal_nan=expected.dtype.kind == "f"), name_of
         assert not array.flags.writeable
