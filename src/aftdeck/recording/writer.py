@@ -11,7 +11,7 @@ import time
 from collections import deque
 from collections.abc import Callable
 from pathlib import Path
-from typing import NamedTuple
+from typing import NamedTuple, cast
 
 import foxglove
 from foxglove.mcap import MCAPCompression, MCAPWriteOptions
@@ -42,11 +42,16 @@ BATCH = 16
 longer fit into the processor's cache."""
 MAX_WAITING = 20_000
 """Maximum number of entries in the queue; beyond it, the recording ends."""
+_QUEUE_FULL = f"the disk is too slow: {MAX_WAITING} steps are waiting"
 BEGIN_S = 2.0
 """Longest time for which a run waits, at its start, for the header to be written [s]."""
 MAX_DISK_WAIT_S = 30.0
 """Longest wait for the disk at the end of a run, and in a run that is faster than real time [s]."""
 _SLOW_DISK = f"the disk was not ready within {MAX_DISK_WAIT_S:g} s"
+
+
+_Fields = tuple[Inputs | None, Frame, float, float | None]
+"""Fields of `Recorded`."""
 
 
 class _End(NamedTuple):
@@ -103,7 +108,7 @@ class Recorder:
         self._began = time.perf_counter()
         self._began_ns = time.time_ns()
         self._opening = opening(scenario, seed, self._began_ns, trial, real_time=real_time)
-        self._waiting: deque[Entry | _End] = deque()
+        self._waiting: deque[Entry | _Fields | _End] = deque()
         self._wake, self._empty = threading.Event(), threading.Event()
         self.delays: Delays | None = None
         self._live = live
@@ -119,16 +124,19 @@ class Recorder:
 
     def step(self, inputs: Inputs | None, frame: Frame, latency_ms: float | None = None) -> None:
         """Record a step: its inputs and its frame."""
-        self.put(Recorded(inputs, frame, time.perf_counter() - self._began, latency_ms))
+        if not self.failure:  # plain statements: after the wait for a step, each call of a function takes microseconds
+            self._waiting.append((inputs, frame, time.perf_counter() - self._began, latency_ms))
+            self.steps += 1
+            if len(self._waiting) > MAX_WAITING:
+                self._fail(_QUEUE_FULL)
 
     def put(self, entry: Entry) -> None:
         """Record an entry."""
-        if self.failure:
-            return
-        self._waiting.append(entry)
-        self.steps += isinstance(entry, Recorded)
-        if len(self._waiting) > MAX_WAITING:
-            self._fail(f"the disk is too slow: {MAX_WAITING} steps are waiting")
+        if not self.failure:
+            self._waiting.append(entry)
+            self.steps += isinstance(entry, Recorded)
+            if len(self._waiting) > MAX_WAITING:
+                self._fail(_QUEUE_FULL)
 
     def take_turns(self) -> None:
         """Wait until the queue is empty if it has `BATCH` entries; used in runs that are faster than real time.
@@ -211,7 +219,10 @@ class Recorder:
             self._empty.set()
             self._wake.wait(POLL_S)
             self._wake.clear()
-        return self._waiting.popleft() if self._waiting else None
+        if not self._waiting:
+            return None
+        item = self._waiting.popleft()
+        return Recorded(*item) if type(item) is tuple else cast("Entry | _End", item)
 
     def _write(self) -> tuple[str, float]:
         """Write until the run or the recording ends; return the reason and the simulated time [s] of the end."""
