@@ -69,7 +69,7 @@ def recording(size: Size) -> list[Figure]:
         Figure("queueing a step, 99 %", percentile(appends, 99.0), "us", None, "while the writer's thread runs"),
         against(bare, MORE, "recorded step, extra time", more, "us", "difference of the medians"),
         Figure(
-            "file size of one minute", minute, "MB", 1.8, f"random sticks in two modes; {empty:.2f} MB without a step"
+            "file size of one minute", minute, "MB", 1.5, f"random sticks in two modes; {empty:.2f} MB without a step"
         ),
         again,
         against(again, VERIFIED, "verification of one second", 1e3 * second, "ms", checked),

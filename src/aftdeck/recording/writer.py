@@ -33,8 +33,9 @@ from aftdeck.simulation.frame import Frame
 from aftdeck.simulation.inputs import Inputs
 from aftdeck.simulation.summary import Summary
 
-FLUSH_S = 0.5
-"""Time after which a chunk of the file is closed [s]."""
+FLUSH_S = 0.85
+"""Time after which a chunk of the file is closed [s]; with `POLL_S` and the writing, less than the second that a killed
+program may lose. The compression of each chunk begins anew, so that shorter ones make a longer file."""
 POLL_S = 0.05
 """Interval at which the thread checks its queue [s]; to wake the thread in each step would delay the simulation."""
 BATCH = 16
@@ -42,7 +43,6 @@ BATCH = 16
 longer fit into the processor's cache."""
 MAX_WAITING = 20_000
 """Maximum number of entries in the queue; beyond it, the recording ends."""
-_QUEUE_FULL = f"the disk is too slow: {MAX_WAITING} steps are waiting"
 BEGIN_S = 2.0
 """Longest time for which a run waits, at its start, for the header to be written [s]."""
 MAX_DISK_WAIT_S = 30.0
@@ -128,7 +128,7 @@ class Recorder:
             self._waiting.append((inputs, frame, time.perf_counter() - self._began, latency_ms))
             self.steps += 1
             if len(self._waiting) > MAX_WAITING:
-                self._fail(_QUEUE_FULL)
+                self._end_full()
 
     def put(self, entry: Entry) -> None:
         """Record an entry."""
@@ -136,7 +136,7 @@ class Recorder:
             self._waiting.append(entry)
             self.steps += isinstance(entry, Recorded)
             if len(self._waiting) > MAX_WAITING:
-                self._fail(_QUEUE_FULL)
+                self._end_full()
 
     def take_turns(self) -> None:
         """Wait until the queue is empty if it has `BATCH` entries; used in runs that are faster than real time.
@@ -176,6 +176,9 @@ class Recorder:
         self._thread.join(MAX_DISK_WAIT_S)
         if self._thread.is_alive():
             self._fail(_SLOW_DISK)
+
+    def _end_full(self) -> None:
+        self._fail(f"the disk is too slow: {MAX_WAITING} steps are waiting")
 
     # --- the recorder's thread ------------------------------------------------------------------------------
 
