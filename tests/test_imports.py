@@ -29,6 +29,7 @@ LAYERS = (
         "folders",
         "law_folder",
         "law_digest",
+        "law_library",
         "law_cache",
         "law",
         "law_change",

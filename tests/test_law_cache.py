@@ -108,6 +108,23 @@ def test_a_damaged_file_is_compiled_and_written_again(laws: Laws, damage: str, s
     assert len(laws.files()) == 1
 
 
+def test_a_law_from_a_file_needs_nothing_of_a_compilation(laws: Laws) -> None:
+    code = f"""
+import sys
+sys.path.insert(0, {str(laws.folder.parent)!r})
+import numba, some_laws
+from pathlib import Path
+from aftdeck.law_cache import LawCache
+from aftdeck.law_digest import Options
+law = numba.njit(some_laws.hypotenuse)
+law._cache = LawCache(some_laws.hypotenuse, Options(fused=False, inlined=True), Path({str(laws.folder)!r}))
+assert law(3.0, 4.0) == 5.0 and not law.stats.cache_misses
+assert "numba.np.linalg" not in sys.modules and law.overloads.popitem()[1].library._shared_module is None
+"""
+    done = subprocess.run([sys.executable, "-c", code], check=False, capture_output=True, text=True, timeout=300)
+    assert done.returncode == 0, done.stderr
+
+
 def test_a_file_of_another_signature_is_not_run(laws: Laws) -> None:
     (file,) = laws.files()
     import numba  # noqa: PLC0415

@@ -87,7 +87,6 @@ class LawCache:
         Raises:
             NotKept: there is none, and the call is inside `only_kept`.
         """
-        target.refresh()
         name = self._name(signature, target.codegen())
         result = _result(self._read(name), signature, target)
         if result is None and here.only_kept:
@@ -101,7 +100,7 @@ class LawCache:
         if compiled.lifted or compiled.library.has_dynamic_globals:  # it contains addresses of this process
             return
         name = self._name(signature, compiled.codegen)
-        data = _numba("serialize").dumps((signature, compiled._reduce()))
+        data = importlib.import_module("numba.core.serialize").dumps((signature, compiled._reduce()))
         self._write(name, hashlib.sha256(data).digest() + data)
         self._tell(name)
 
@@ -148,13 +147,9 @@ def _result(data: bytes, signature: Any, target: Any) -> Any:
     """Return a result of Numba's compilation from a file's content; None if it is not one for this signature."""
     try:
         kept, result = pickle.loads(data)  # not damaged
-        return _numba("compiler").CompileResult._rebuild(target, *result) if kept == signature else None
+        return importlib.import_module("aftdeck.law_library").rebuilt(target, result) if kept == signature else None
     except Exception:  # whatever another version of Numba raises: compile again
         return None
-
-
-def _numba(module: str) -> Any:
-    return importlib.import_module(f"numba.core.{module}")
 
 
 @functools.cache

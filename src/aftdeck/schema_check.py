@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 import types
 import unicodedata
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from functools import cache
 from typing import Annotated, Any, Literal, TypeVar, Union, get_args, get_origin
 
@@ -16,6 +16,9 @@ from aftdeck.units import Quantity, decode_hook, short
 
 _T = TypeVar("_T")
 _Where = tuple[str | int, ...]
+_Problems = list[tuple[_Where, str]]
+_Check = Callable[[Any, _Where], _Problems]
+"""Function that returns all reasons why a value is not valid; its arguments are the value and its place."""
 
 LONGEST_TEXT, LONGEST_KEY = 20_000, 100
 """Greatest length of a text and of a key in a file [characters] (assumed)."""
@@ -59,53 +62,91 @@ def _text_problem(text: str, most: int, allowed: str) -> str:
     return f"contains the control character {found!r}" if found else ""
 
 
-def problems_of(raw: object, kind: Any, where: _Where = (), bounds: Bounds | None = None) -> list[tuple[_Where, str]]:
+def problems_of(raw: object, kind: Any) -> _Problems:
     """Return all reasons why `raw` is not a valid `kind`, each with its place.
 
     Args:
         raw: plain dicts, lists, numbers and strings.
         kind: the type, such as a struct.
-        where: place of `raw` in the file.
-        bounds: plausible range of `raw`, from the metadata of its type.
+    """
+    return _check(kind)(raw, ())
+
+
+@cache
+def _check(kind: Any, bounds: Bounds | None = None) -> _Check:
+    """Return the check of a type: all that depends on the type alone is found once, because files have many values.
+
+    Args:
+        kind: the type.
+        bounds: plausible range, from the metadata of the type.
     """
     kind, optional = without_none(kind)
-    if optional and raw is None:
-        return []
-    base = get_origin(kind) or kind
-    if base is Annotated:  # check the constraint only if the value is valid without it
-        inner, *metas = get_args(kind)
-        own = next((meta for meta in metas if isinstance(meta, Bounds)), bounds)
-        return problems_of(raw, inner, where, own) or _problem(raw, kind, where)
+    check = _check_of_value(kind, bounds)
+    return (lambda raw, where: [] if raw is None else check(raw, where)) if optional else check
+
+
+def _check_of_value(kind: Any, bounds: Bounds | None) -> _Check:
+    base, parts = get_origin(kind) or kind, get_args(kind)
+    if base is Annotated:
+        return _check_of_annotated(kind, bounds)
     if tagged := tagged_kinds(kind):
-        return _tagged_problems(raw, tagged, where)
+        return lambda raw, where: _tagged_problems(raw, tagged, where)
     if isinstance(base, type) and issubclass(base, msgspec.Struct):
-        return _struct_problems(raw, kind, where)
-    if base is tuple and isinstance(raw, list):
-        items = get_args(kind)
-        if items[1:] == (...,):
-            items = items[:1] * len(raw)
-        if len(items) == len(raw):
-            return [p for i, item in enumerate(raw) for p in problems_of(item, items[i], (*where, i))]
+        return lambda raw, where: _struct_problems(raw, kind, where)
+    alone = _check_of_whole(kind, bounds)
+    if base is tuple:
+        each = [_check(part) for part in parts if part is not ...]
+        return lambda raw, where: _tuple_problems(raw, each, parts[1:] == (...,), where, alone)
     if base is dict:
-        if not isinstance(raw, dict):
-            return [(where, f"expected a table, got {short(raw)}")]
-        return [p for key, item in raw.items() for p in problems_of(item, get_args(kind)[1], (*where, key))]
-    if base is Literal and raw not in get_args(kind):
-        return [(where, f"expected one of {', '.join(map(str, get_args(kind)))}, got {short(raw)}")]
-    return _problem(raw, kind, where) or _range_problem(raw, kind, where, bounds)
+        of_item = _check(parts[1])
+        return lambda raw, where: _dict_problems(raw, of_item, where)
+    if base is Literal:
+        what = f"expected one of {', '.join(map(str, parts))}, got "
+        return lambda raw, where: alone(raw, where) if raw in parts else [(where, what + short(raw))]
+    return alone
 
 
-def _range_problem(raw: object, kind: Any, where: _Where, bounds: Bounds | None) -> list[tuple[_Where, str]]:
-    """Return the reason why a valid number is not plausible, with its place; empty for other types."""
+def _check_of_annotated(kind: Any, bounds: Bounds | None) -> _Check:
+    """Return the check of a type with metadata; constraints of msgspec count only if the value is valid otherwise."""
+    inner, *metas = get_args(kind)
+    check = _check(inner, next((meta for meta in metas if isinstance(meta, Bounds)), bounds))
+    if all(isinstance(meta, Bounds) for meta in metas):
+        return check
+    return lambda raw, where: check(raw, where) or _problem(raw, kind, where)
+
+
+def _check_of_whole(kind: Any, bounds: Bounds | None) -> _Check:
+    """Return the check of a value that is converted as a whole: a number, also for its plausible range, or a text."""
     quantity = kind if isinstance(kind, type) and issubclass(kind, Quantity) else None
     bounds = bounds or (quantity.bounds if quantity else None)
     if bounds is None:
-        return []
-    what = bounds.problem(convert(raw, kind), quantity.unit if quantity else "")
-    return [(where, what)] if what else []
+        return lambda raw, where: _problem(raw, kind, where)
+    within, unit = bounds, quantity.unit if quantity else ""
+
+    def check(raw: object, where: _Where) -> _Problems:
+        try:
+            what = within.problem(convert(raw, kind), unit)
+        except msgspec.ValidationError:
+            return _problem(raw, kind, where)
+        return [(where, what)] if what else []
+
+    return check
 
 
-def _problem(raw: object, kind: Any, where: _Where) -> list[tuple[_Where, str]]:
+def _tuple_problems(raw: object, each: list[_Check], repeated: bool, where: _Where, otherwise: _Check) -> _Problems:
+    if not isinstance(raw, list) or not (repeated or len(raw) == len(each)):
+        return otherwise(raw, where)
+    checks = each * len(raw) if repeated else each
+    return [p for i, item in enumerate(raw) for p in checks[i](item, (*where, i))]
+
+
+def _dict_problems(raw: object, check: _Check, where: _Where) -> _Problems:
+    if not isinstance(raw, dict):
+        return [(where, f"expected a table, got {short(raw)}")]
+    return [p for key, item in raw.items() for p in check(item, (*where, key))]
+
+
+def _problem(raw: object, kind: Any, where: _Where) -> _Problems:
     """Return the first reason why `raw` cannot be converted to `kind`, with its place; empty if it can."""
     try:
         convert(raw, kind)
@@ -124,7 +165,7 @@ def tagged_kinds(kind: Any) -> dict[str, Any]:
     return {k.__struct_config__.tag: k for k in members}
 
 
-def _tagged_problems(raw: object, tagged: dict[str, Any], where: _Where) -> list[tuple[_Where, str]]:
+def _tagged_problems(raw: object, tagged: dict[str, Any], where: _Where) -> _Problems:
     """Return the reasons why `raw` is not a valid struct of a tagged union, each with its place.
 
     The tag field selects the struct to check. A missing or unknown tag is reported as a problem; only the fields that
@@ -143,29 +184,34 @@ def _tagged_problems(raw: object, tagged: dict[str, Any], where: _Where) -> list
     common = set.intersection(*({(f.encode_name, f.type) for f in fields_of(k).values()} for k in tagged.values()))
     known = [(key, field_type) for key, field_type in common if key in raw]
     in_order = sorted(known, key=lambda pair: pair[0])
-    return [tag_problem, *(p for key, field_type in in_order for p in problems_of(raw[key], field_type, (*where, key)))]
+    return [tag_problem, *(p for key, field_type in in_order for p in _check(field_type)(raw[key], (*where, key)))]
 
 
-def _struct_problems(raw: object, kind: Any, where: _Where) -> list[tuple[_Where, str]]:
+def _struct_problems(raw: object, kind: Any, where: _Where) -> _Problems:
     if not isinstance(raw, dict):
         return [(where, f"expected a table, got {short(raw)}")]
-    struct = get_origin(kind) or kind  # a generic struct with its parameters has the generic struct's configuration
-    fields, tag = fields_of(kind), struct.__struct_config__.tag_field
-    found: list[tuple[_Where, str]] = []
+    fields, struct = _fields(kind), get_origin(kind) or kind  # a generic struct has the configuration
+    tag = struct.__struct_config__.tag_field
+    found: _Problems = []
     if tag is not None and raw.get(tag) != struct.__struct_config__.tag:
         found.append(((*where, tag), f"expected {struct.__struct_config__.tag!r}, got {short(raw.get(tag))}"))
-    unknown = f"unknown field; allowed here: {', '.join(fields)}"  # one text for all, because a file may have many
-    for key in raw:
-        if key not in fields and key != tag and struct.__struct_config__.forbid_unknown_fields:
-            found.append(((*where, key), unknown))
-    for key, field in fields.items():
+    if struct.__struct_config__.forbid_unknown_fields and (unknown := [k for k in raw if k not in fields and k != tag]):
+        what = f"unknown field; allowed here: {', '.join(fields)}"  # one text for all, because a file may have many
+        found += [((*where, key), what) for key in unknown]
+    for key, (required, check) in fields.items():
         if key in raw:
-            found += problems_of(raw[key], field.type, (*where, key))
-        elif field.required:
+            found += check(raw[key], (*where, key))
+        elif required:
             found.append((where, f"the field {key!r} is missing"))
     if not found and hasattr(struct, "__post_init__"):
         found += [(where, what) for _, what in _problem(raw, kind, where)]
     return found
+
+
+@cache
+def _fields(kind: Any) -> dict[str, tuple[bool, _Check]]:
+    """Return whether each field of a struct is required, and its check, by the fields' names in files."""
+    return {name: (field.required, _check(field.type)) for name, field in fields_of(kind).items()}
 
 
 @cache

@@ -80,6 +80,7 @@ class Quantity(float):
         return cls(value)
 
     @classmethod
+    @functools.lru_cache(maxsize=2000)  # a file repeats its sizes, and is read twice: to be checked and converted
     def _parse(cls, text: str) -> float:
         match = _NUMBER_AND_UNIT.fullmatch(text)
         size = _size(match["unit"], cls.unit) if match else None

@@ -11,7 +11,7 @@ import pytest
 from aftdeck import separation
 from aftdeck.arrays import Array
 from aftdeck.bodies.hexahedron import unpack
-from aftdeck.bodies.hexahedron_check import hexahedron
+from aftdeck.bodies.hexahedron_check import hexahedra, hexahedron
 from aftdeck.errors import InputError
 from tests.bodies.shapes import CUBE, boxes, moved, rotations, skewed
 
@@ -54,6 +54,14 @@ def test_invalid_hexahedron_is_rejected_with_its_vertex(body: Array, pattern: st
 def test_input_other_than_eight_points_is_rejected(given: object) -> None:
     with pytest.raises(InputError, match="shape"):
         hexahedron(given)  # type: ignore[arg-type]  # invalid on purpose
+
+
+def test_first_of_several_invalid_hexahedra_is_named() -> None:
+    bodies = np.array([CUBE, changed(8, [0.6, 0.6, 0.6]), CUBE * 1e-7])  # the third fails the check that comes first
+    with pytest.raises(InputError, match="second: vertex 8"):
+        hexahedra(bodies, ["first", "second", "third"])
+    assert hexahedra(bodies[:0], []).shape == (0, 48)
+    assert np.array_equal(hexahedra(bodies[:1], ["first"])[0], hexahedron(CUBE))
 
 
 def test_only_the_24_rotated_numberings_of_a_box_are_accepted() -> None:

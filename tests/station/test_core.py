@@ -14,8 +14,9 @@ from aftdeck.recording.bundle import opening
 from aftdeck.recording.reader import Recording
 from aftdeck.recording.records import DelayRecord, FrameRecord, Input, Note
 from aftdeck.scenario.model import Scenario
+from aftdeck.station.core.core import Core
 from aftdeck.station.core.direct import Direct, DirectRecording
-from aftdeck.station.core.step import Delay
+from aftdeck.station.core.step import Delay, Step
 from aftdeck.station.messages import from_page, to_page
 from aftdeck.station.messages.frame import Frame
 from aftdeck.station.messages.welcome import Welcome
@@ -36,6 +37,7 @@ FORBIDDEN = """
 import builtins, sys, threading, time
 from aftdeck.scenario.load import load_scenario
 from aftdeck.recording.bundle import opening
+from aftdeck.station.core.core import Core
 from aftdeck.station.core.direct import Direct, DirectRecording
 from aftdeck.station.messages import from_page
 
@@ -194,6 +196,32 @@ def test_delay_and_lines_of_a_step_that_fails_are_recorded(tmp_path: Path, monke
     messages = list(Recording(path).messages())
     assert [m.lost_s for m in messages if isinstance(m, DelayRecord)] == [0.4]
     assert "before the failure" in [m.text for m in messages if isinstance(m, Note)]
+
+
+class _Seen:
+    """Observer that counts steps."""
+
+    def __init__(self) -> None:
+        self.ticks: list[int] = []
+
+    def see(self, step: Step) -> None:
+        self.ticks.append(step.frame.tick)
+
+
+def test_frame_is_ready_before_observers_see_the_step() -> None:
+    seen = _Seen()
+    core = Core(scenario(), clock=lambda: 0.0, observers=[seen])
+    core.begin()
+    core.fly(core.take())
+    assert core.newest and not seen.ticks
+    core.settle()
+    core.settle()
+    assert seen.ticks == [1], "each step once"
+    core.fly(core.take())
+    core.fly(core.take())
+    assert seen.ticks == [1, 2], "the next step leaves none out"
+    core.close()
+    assert seen.ticks == [1, 2, 3]
 
 
 def without_wall(message: FrameRecord | Note) -> list[object]:

@@ -152,7 +152,7 @@ class _SlowLaws(Laws):
 def test_run_waits_for_compiled_laws_if_its_own_work_is_too_slow(busy: str, monkeypatch: pytest.MonkeyPatch) -> None:
     laws = _SlowLaws()
     session = Session(scenario(), laws=laws)
-    step = session.step
+    step = session.step_to_frame
 
     def slow(delay: Delay = PUNCTUAL) -> bool:
         if not laws.compiled.is_set():
@@ -164,7 +164,7 @@ def test_run_waits_for_compiled_laws_if_its_own_work_is_too_slow(busy: str, monk
                 time.sleep(0.05)
         return step(delay)
 
-    monkeypatch.setattr(session, "step", slow)
+    monkeypatch.setattr(session, "step_to_frame", slow)
     driver = Driver(session)
     driver.start(lambda: None)
     if busy == "sleep":  # a busy machine is no reason to wait

@@ -78,13 +78,13 @@ def test_a_new_run_begins_without_delay() -> None:
 
 def test_driver_counts_steps_that_the_clock_makes_late(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
     clock, session = Clock(), Session(scenario(), record=tmp_path)
-    step, stalls = session.step, iter([0.0, 0.09, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.5, 0.0, 0.0, 0.0])
+    step, stalls = session.step_to_frame, iter([0.0, 0.09, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.5, 0.0, 0.0, 0.0])
 
     def stalled(delay: Delay) -> bool:
         clock.now += next(stalls, 0.0)
         return step(delay)
 
-    monkeypatch.setattr(session, "step", stalled)
+    monkeypatch.setattr(session, "step_to_frame", stalled)
     driver = Driver(session, clock)
     monkeypatch.setattr(driver._stop, "wait", lambda seconds: setattr(clock, "now", clock.now + seconds))
     driver.start(lambda: None)

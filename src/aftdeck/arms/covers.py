@@ -7,7 +7,7 @@ import numpy as np
 from aftdeck.arms.body_file import BlockBody, BoxCover, Cover
 from aftdeck.arrays import Array
 from aftdeck.bodies.cover import prism
-from aftdeck.bodies.hexahedron_check import hexahedron
+from aftdeck.bodies.hexahedron_check import hexahedra as checked
 from aftdeck.errors import InputError
 from aftdeck.frames import endori
 from aftdeck.matrices import product
@@ -20,15 +20,14 @@ def hexahedra(cover: Cover | BlockBody, part: str) -> Array:
         InputError: the sizes are invalid.
     """
     if isinstance(cover, BlockBody):
-        vertices = corners(cover.low, cover.high, cover.axes)
-        hexahedron(vertices, part)
-        return vertices[None]
+        found = corners(cover.low, cover.high, cover.axes)[None]
+        checked(found, [part])
+        return found
     if isinstance(cover, BoxCover):
         found = corners((-0.5, -0.5, -0.5), (0.5, 0.5, 0.5))[None] * cover.size
     else:
         found = prism(cover.radius, cover.length, axis=cover.axis, sides=cover.sides)
-    for vertices in found:
-        hexahedron(vertices, part)
+    checked(found, [part] * len(found))
     return np.asarray(product(found, endori(*cover.rotation).T) + cover.position)
 
 

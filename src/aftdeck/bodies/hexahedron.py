@@ -62,17 +62,20 @@ BESIDE = np.array([_beside(p, q) for p, q in EDGES], dtype=np.int64)
 
 
 def pack(vertices: Array) -> Array:
-    """Return a packed body from its vertices (8, 3) [m], in the order of their numbers; the vertices are not checked.
+    """Return packed bodies (..., 48) from their vertices (..., 8, 3) [m], in the order of their numbers.
 
-    A face's normal is perpendicular to the face's diagonals. A face's plane contains the face's outermost vertex.
+    The vertices are not checked. A face's normal is perpendicular to the face's diagonals. A face's plane contains the
+    face's outermost vertex.
     """
-    p, q, r, s = vertices[CORNERS].transpose(1, 0, 2)
+    corners = vertices[..., CORNERS, :]
+    p, q, r, s = (corners[..., k, :] for k in range(4))
     normals = np.cross(s - p, r - q)
-    normals /= lengths(normals)[:, None]
+    normals /= lengths(normals)[..., None]
     # without these signs, the normals of faces b, c and f would point inwards
     normals *= np.array([1.0, -1.0, -1.0, 1.0, 1.0, -1.0])[:, None]
-    distances = dots(vertices[CORNERS], normals[:, None]).max(axis=1)
-    return np.concatenate([vertices.T.ravel(), normals.T.ravel(), distances])
+    distances = dots(corners, normals[..., None, :]).max(axis=-1)
+    by_axis = [one.swapaxes(-1, -2).reshape(*one.shape[:-2], -1) for one in (vertices, normals)]
+    return np.concatenate([*by_axis, distances], axis=-1)
 
 
 def unpack(body: Array) -> Array:

@@ -11,7 +11,7 @@ import time
 from collections import deque
 from collections.abc import Callable
 from pathlib import Path
-from typing import NamedTuple
+from typing import NamedTuple, cast
 
 import foxglove
 from foxglove.mcap import MCAPCompression, MCAPWriteOptions
@@ -33,8 +33,9 @@ from aftdeck.simulation.frame import Frame
 from aftdeck.simulation.inputs import Inputs
 from aftdeck.simulation.summary import Summary
 
-FLUSH_S = 0.5
-"""Time after which a chunk of the file is closed [s]."""
+FLUSH_S = 0.85
+"""Time after which a chunk of the file is closed [s]; with `POLL_S` and the writing, less than the second that a killed
+program may lose. The compression of each chunk begins anew, so that shorter ones make a longer file."""
 POLL_S = 0.05
 """Interval at which the thread checks its queue [s]; to wake the thread in each step would delay the simulation."""
 BATCH = 16
@@ -47,6 +48,10 @@ BEGIN_S = 2.0
 MAX_DISK_WAIT_S = 30.0
 """Longest wait for the disk at the end of a run, and in a run that is faster than real time [s]."""
 _SLOW_DISK = f"the disk was not ready within {MAX_DISK_WAIT_S:g} s"
+
+
+_Fields = tuple[Inputs | None, Frame, float, float | None]
+"""Fields of `Recorded`."""
 
 
 class _End(NamedTuple):
@@ -103,7 +108,7 @@ class Recorder:
         self._began = time.perf_counter()
         self._began_ns = time.time_ns()
         self._opening = opening(scenario, seed, self._began_ns, trial, real_time=real_time)
-        self._waiting: deque[Entry | _End] = deque()
+        self._waiting: deque[Entry | _Fields | _End] = deque()
         self._wake, self._empty = threading.Event(), threading.Event()
         self.delays: Delays | None = None
         self._live = live
@@ -119,16 +124,19 @@ class Recorder:
 
     def step(self, inputs: Inputs | None, frame: Frame, latency_ms: float | None = None) -> None:
         """Record a step: its inputs and its frame."""
-        self.put(Recorded(inputs, frame, time.perf_counter() - self._began, latency_ms))
+        if not self.failure:  # plain statements: after the wait for a step, each call of a function takes microseconds
+            self._waiting.append((inputs, frame, time.perf_counter() - self._began, latency_ms))
+            self.steps += 1
+            if len(self._waiting) > MAX_WAITING:
+                self._end_full()
 
     def put(self, entry: Entry) -> None:
         """Record an entry."""
-        if self.failure:
-            return
-        self._waiting.append(entry)
-        self.steps += isinstance(entry, Recorded)
-        if len(self._waiting) > MAX_WAITING:
-            self._fail(f"the disk is too slow: {MAX_WAITING} steps are waiting")
+        if not self.failure:
+            self._waiting.append(entry)
+            self.steps += isinstance(entry, Recorded)
+            if len(self._waiting) > MAX_WAITING:
+                self._end_full()
 
     def take_turns(self) -> None:
         """Wait until the queue is empty if it has `BATCH` entries; used in runs that are faster than real time.
@@ -168,6 +176,9 @@ class Recorder:
         self._thread.join(MAX_DISK_WAIT_S)
         if self._thread.is_alive():
             self._fail(_SLOW_DISK)
+
+    def _end_full(self) -> None:
+        self._fail(f"the disk is too slow: {MAX_WAITING} steps are waiting")
 
     # --- the recorder's thread ------------------------------------------------------------------------------
 
@@ -211,7 +222,10 @@ class Recorder:
             self._empty.set()
             self._wake.wait(POLL_S)
             self._wake.clear()
-        return self._waiting.popleft() if self._waiting else None
+        if not self._waiting:
+            return None
+        item = self._waiting.popleft()
+        return Recorded(*item) if type(item) is tuple else cast("Entry | _End", item)
 
     def _write(self) -> tuple[str, float]:
         """Write until the run or the recording ends; return the reason and the simulated time [s] of the end."""

@@ -13,7 +13,6 @@ from aftdeck.simulation.frame import Event, Frame
 from aftdeck.simulation.state import State
 from aftdeck.steering.limiters import rate_ratio
 from aftdeck.tuples import Joints, Vec3
-from aftdeck.version import __version__
 from aftdeck.worksite.watch.found import CLEARANCE
 
 Ended = Literal["completed", "time", "fault"]
@@ -93,6 +92,8 @@ class Tally:
 
     def summary(self, scenario: Scenario, seed: int, ended: Ended, frame: Frame) -> Summary:
         """Return the summary of a run that ended for the reason `ended`, with `frame` as its last frame."""
+        from aftdeck.version import __version__  # noqa: PLC0415  (takes as long to find as ten runs' summaries)
+
         goal = frame.goal
         miss = None if frame.dynamics is None else frame.dynamics.miss
         return Summary(

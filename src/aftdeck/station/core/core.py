@@ -131,6 +131,7 @@ class Core:
         self._changes: tuple[str, ...] = ()
         self._frame: Frame | None = None
         self._under_way: Begun | None = None
+        self._unsettled: Step | None = None
         self._engaged: Engaged | None = None
         self._reset()
         if shown:
@@ -169,6 +170,7 @@ class Core:
 
     def close(self) -> None:
         """End the run."""
+        self.settle()
         self._end("stopped", self._under_way or self._begun())
 
     def _end(self, ended: Ended, step: Begun) -> None:
@@ -229,6 +231,13 @@ class Core:
             asked: what the pages ask for.
             delay: delay with which the step begins.
         """
+        step = self.fly(asked, delay)
+        self.settle()
+        return step
+
+    def fly(self, asked: Asked, delay: Delay = PUNCTUAL) -> Step:
+        """Do a control step as `advance` does, up to all that the pages receive; `settle` does the rest."""
+        self.settle()
         late, lost = self._lost.count(self.time_s, delay, commanded=self._commanded)
         self._under_way = begun = self._begun(late)
         if lost:
@@ -253,7 +262,6 @@ class Core:
             link=self.link.next(),
         )
         self._tell(step)
-        self._view.renew(self._sim, frame, self._task.progress, self._look_s)
         self._task.see(step)
         shown = self._displays.frame(
             frame,
@@ -276,11 +284,20 @@ class Core:
             self._changes, now = frame.changes, self._sim.in_force
             self.changed = _encoder.encode(changed_of(now))
             self.link.delays = self.link.delays._replace(telemetry=now.telemetry_delay, camera=now.camera_delay)
-        for observer in (self._recording, self.telemetry, *self.observers):
+        self.telemetry.see(step)
+        self._under_way, self._unsettled = None, step
+        return step
+
+    def settle(self) -> None:
+        """Do what no page waits for after the last step: record it, look ahead, and let the observers see it."""
+        step, self._unsettled = self._unsettled, None
+        if step is None:
+            return
+        self._task.settle()
+        self._view.renew(self._sim, step.frame, self._task.progress, self._look_s)
+        for observer in (self._recording, *self.observers):
             if observer is not None:
                 observer.see(step)
-        self._under_way = None
-        return step
 
     def _are_possible(self, begun: Begun, changes: dict[str, str]) -> bool:
         """Return whether changes in flight are possible now; if not, because the arm has moved since, note why."""

@@ -26,6 +26,7 @@ class TaskRun:
         self._scenario = scenario
         self.progress = Progress(scenario)
         self._metrics = RunMetrics(scenario, self.progress)
+        self._uncounted: tuple[Frame, tuple[Lamp, ...]] | None = None
         self._begin()
 
     def _begin(self) -> None:
@@ -48,6 +49,7 @@ class TaskRun:
         are not known.
         `autopilot` is the autopilot that flies, if it is not the script.
         """
+        self.settle()
         done = self.progress.see(frame)
         if not self.progress.steps:
             return done
@@ -55,12 +57,19 @@ class TaskRun:
             self._begin()
         if self.progress.present is not None:
             self.debrief = None
-        self._metrics.see(frame, lamps)
+        self._uncounted = frame, lamps
         if self.debrief is None:
             self._flown_by = "script" if frame.by == "script" else autopilot or self._flown_by
         if self.progress.present is None and self.debrief is None:
+            self.settle()
             self.debrief = self._result(delays)
         return done
+
+    def settle(self) -> None:
+        """Count the last frame in the metrics, for which no page waits until the result."""
+        if self._uncounted is not None:
+            self._metrics.see(*self._uncounted)
+            self._uncounted = None
 
     def _result(self, delays: Delays | None) -> Debrief:
         skipped, found = len(self.progress.skipped), self._metrics.found(delays)

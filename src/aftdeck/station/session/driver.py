@@ -21,6 +21,8 @@ NO_PAGE = f"the run has started: no page in control has drawn a picture within {
 """Line of the log after this time."""
 TOO_LATE = 0.1
 """Delay of a step from which the run waits for compiled laws, if plain Python is the cause [s]."""
+SENT_WITHIN = 0.001
+"""Time left to the server to send a frame, before the rest of the step competes with it for Python's lock [s]."""
 TELL_EVERY = 0.25
 """Time from one notification to the next while the run waits [s]."""
 
@@ -97,10 +99,12 @@ class Driver:
                 if slow and pace.late > TOO_LATE and self._wait("laws", self.session.laws.wait):
                     pace.begin()
                 began = time.thread_time()
-                if self.session.step(pace.step()):
+                if self.session.step_to_frame(pace.step()):
                     pace.begin()
-                work = time.thread_time() - began
                 self._notify()
+                self._stop.wait(min(SENT_WITHIN, pace.wait()))
+                self.session.settle()
+                work = time.thread_time() - began
                 if wait := pace.wait():
                     self._stop.wait(wait)
         except Exception as error:  # any error must reach the pages

@@ -156,7 +156,7 @@ class Session(Core):
             return super().take()
 
     def step(self, delay: Delay = PUNCTUAL) -> bool:
-        """Do one control step with the newest inputs of the page in control, and encode its frame.
+        """Do one control step with the newest inputs of the page in control.
 
         Args:
             delay: delay with which the step begins.
@@ -164,9 +164,15 @@ class Session(Core):
         Returns:
             Whether the step is the first of a new run.
         """
+        restarted = self.step_to_frame(delay)
+        self.settle()
+        return restarted
+
+    def step_to_frame(self, delay: Delay = PUNCTUAL) -> bool:
+        """Do a control step as `step` does, up to all that the pages receive; `settle` does the rest."""
         for text in self._recorder.take_errors():
             self.note("recording", text, "warning")
-        return self.advance(self.take(), delay).restarted
+        return self.fly(self.take(), delay).restarted
 
     def close(self) -> None:
         """End the run, and wait for its recording."""

@@ -9,7 +9,7 @@ import numpy as np
 
 from aftdeck.arrays import Array
 from aftdeck.bodies.cover import prism, tube_wall
-from aftdeck.bodies.hexahedron_check import hexahedron
+from aftdeck.bodies.hexahedron_check import hexahedra
 from aftdeck.bodies.solid import Solid
 from aftdeck.errors import InputError
 from aftdeck.frames import Pose, endori
@@ -56,8 +56,8 @@ def checked(bodies: Array, part: str) -> Array:
     Raises:
         InputError: a hexahedron is not convex; the message names the part and the vertex.
     """
-    for k, body in enumerate(bodies):
-        hexahedron(body, part if len(bodies) == 1 else f"{part}, hexahedron {k + 1} of {len(bodies)}")
+    count = len(bodies)
+    hexahedra(bodies, [part] if count == 1 else [f"{part}, hexahedron {k + 1} of {count}" for k in range(count)])
     bodies.flags.writeable = False
     return bodies
 

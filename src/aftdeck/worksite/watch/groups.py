@@ -16,8 +16,8 @@ import msgspec
 import numpy as np
 
 from aftdeck.arrays import Array, Indices, Mask
-from aftdeck.bodies.hexahedron import BODY, unpack
-from aftdeck.bodies.hexahedron_check import hexahedron
+from aftdeck.bodies.hexahedron import BODY, VERTICES
+from aftdeck.bodies.hexahedron_check import hexahedra
 from aftdeck.bodies.solid import Solid
 from aftdeck.errors import InputError
 from aftdeck.matrices import lengths
@@ -176,13 +176,10 @@ def _packed(solids: Sequence[Solid]) -> Array:
 
     The centre of a sphere is the centre of the solid's bounding box.
     """
-    packed = np.empty((len(solids), SOLID))
-    for row, solid in zip(packed, solids, strict=True):
-        row[:BODY] = hexahedron(solid.vertices, solid.part)
-        points = unpack(row[:BODY])
-        middle = 0.5 * (points.min(axis=0) + points.max(axis=0))
-        row[CENTRE:RADIUS] = middle
-        row[RADIUS] = lengths(points - middle).max() + _ROOM
+    vertices = np.array([solid.vertices for solid in solids], dtype=np.float64).reshape(-1, VERTICES, 3)
+    middle = 0.5 * (vertices.min(axis=1) + vertices.max(axis=1))
+    radius = lengths(vertices - middle[:, None]).max(axis=1) + _ROOM
+    packed = np.hstack([hexahedra(vertices, [solid.part for solid in solids]), middle, radius[:, None]])
     packed.flags.writeable = False
     return packed
 
