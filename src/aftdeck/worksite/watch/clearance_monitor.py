@@ -388,9 +388,8 @@ class ClearanceMonitor(Cache):
 
     def pack(self) -> None:
         """Set `packed` to the present arrays."""
-        self.packed: tuple[Any, ...] = Measured(
-            self.at, self.placed, self.bound, self.likely, self.memory, self.found, self.near
-        )
+        own = Measured(self.at, self.placed, self.bound, self.likely, self.memory, self.found, self.near)
+        self.packed: tuple[Any, Any, Any, Any, Any, Any, Any] = own
 
     def forget(self) -> None:
         """Discard the remembered data. This does not change the result of the next measurement."""
