@@ -30,7 +30,6 @@ def main() -> None:
     scenario = resolve_name("aftdeck.scenario.load:load_scenario")("first-flight")
     sim = resolve_name("aftdeck.simulation.run:Simulation")(scenario)
     strips = resolve_name("aftdeck.report.strips:Strips")(scenario, scenario.control_period)
-    values = resolve_name("aftdeck.report.strips:curve_values")(scenario)
     metrics = resolve_name("aftdeck.report.run_metrics:RunMetrics")(scenario)
     series = resolve_name("aftdeck.simulation.series.series:Series")(scenario, ["tip"])
     reader = resolve_name("aftdeck.export.state:StateReader")(scenario)
@@ -38,7 +37,7 @@ def main() -> None:
     for _ in range(STEPS):
         frame = sim.step(resolve_name("aftdeck.simulation.inputs:Inputs")(translation=(0.0, 0.0, -1.0)))
         heights.append(-frame.position[2])
-        strips.add(values(frame, None))
+        strips.add(frame, None)
         metrics.see(frame, ())
         series.see(frame, None)
     table, state = series.table(), dict(zip(reader.names, reader.of(frame, None).tolist(), strict=True))

@@ -84,7 +84,7 @@ def report(
         rows = list(_read(files, f"aftdeck.report.of_recording:{'gauged' if gauges else 'recorded'}_row"))
     else:
         with ExitStack() as page:
-            prepare = partial(_prepare_page, page)
+            prepare = partial(_prepare_page, page, files[0])
             gather = "with_gauges" if gauges else "gathered"
             runs: list[Gathered] = list(_read(files, f"aftdeck.report.page.gather:{gather}", prepare))
             from aftdeck.report.table import row_of
@@ -147,13 +147,13 @@ def _write_series(file: Path, out: Path, columns: Sequence[str], as_json: bool) 
         print_line(f"{out}: {len(table['time_s'])} steps, {len(table)} columns")
 
 
-def _prepare_page(page: ExitStack) -> None:
-    """Load what draws the page, which takes some seconds; `page` is closed when the page is drawn."""
-    from aftdeck.cli.laws import pictures_compiled_meanwhile
-    from aftdeck.report.page.svg import chart
+def _prepare_page(page: ExitStack, first: Path) -> None:
+    """Load what draws the page, and the scene of the first run; `page` is closed when the page is drawn."""
+    from aftdeck.cli.laws import compiled_meanwhile
+    from aftdeck.report.page.pictures import draw_first
+    from aftdeck.visual.warm import FILES
 
-    chart(lambda _: None, "nothing", margins=(0.1, 0.1, 0.1, 0.1))  # as all charts of a run, which measure no texts
-    page.enter_context(pictures_compiled_meanwhile())
+    page.enter_context(compiled_meanwhile(draw_first, first, files=FILES))
     import_module("aftdeck.report.page.runs").page([])
 
 

@@ -22,7 +22,8 @@ Change = Callable[[Any], Any]
 """Function that converts a plain form to its value."""
 S = TypeVar("S", bound=msgspec.Struct)
 
-_LIMIT = 2**63
+LIMIT = 2**63
+"""Least power of two that other formats cannot store."""
 _encode = msgspec.json.Encoder().encode
 
 
@@ -117,6 +118,6 @@ def _bounded(value: Any) -> Any:
     Raises:
         ValueError: it is a whole number of more than 64 bits, which other formats cannot store.
     """
-    if isinstance(value, int) and not -_LIMIT <= value < _LIMIT:
+    if isinstance(value, int) and not -LIMIT <= value < LIMIT:
         raise ValueError("a whole number has more than 64 bits")
     return value

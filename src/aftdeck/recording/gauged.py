@@ -29,9 +29,9 @@ def messages_of(recording: Recording, *, gauged: bool) -> Iterator[tuple[Message
             more than the tolerance for another environment (`recording.apart`).
     """
     opening = recording.opening
-    scenario = scenario_of(opening)
-    if not gauged or scenario.plant == "kinematic":
-        yield from ((message, None) for message in recording.messages())
+    scenario = scenario_of(opening) if gauged else None
+    if scenario is None or scenario.plant == "kinematic":
+        yield from ((message, None) for message in recording.messages_on_demand())
         return
     compiled_first(warm_up, scenario)
     digests = opening.digests == declaration(State)

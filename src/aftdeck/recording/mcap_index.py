@@ -8,12 +8,13 @@ of all chunks or of none.
 
 from __future__ import annotations
 
+import struct
 from io import BytesIO
 from typing import NamedTuple
 
 from mcap.data_stream import ReadDataStream
 from mcap.opcode import Opcode
-from mcap.records import Channel, ChunkIndex, Footer, Message, MessageIndex, Schema
+from mcap.records import Channel, ChunkIndex, Footer, Message, Schema
 
 from aftdeck.recording.damage import DamageError
 
@@ -24,6 +25,9 @@ _OTHERS: set[int] = {
     Opcode.METADATA_INDEX,
 }
 """Types of records in a summary that name no message."""
+
+_INDEX, _INDEXED = struct.Struct("<HI"), struct.Struct("<QQ")
+"""Beginning of an index of messages: channel, length of the rest; and an entry: log time, offset in the chunk."""
 
 
 class _Chunk(NamedTuple):
@@ -52,16 +56,13 @@ class IndexCheck:
     def add_chunk(self, at: int, length: int) -> None:
         """Add a chunk, with its offset in the file and its length [bytes]."""
         for messages in self._last.messages.values():
-            messages.clear()  # their index would have followed: the file has none
+            self._compared(messages)  # their index would have followed: the file has none
         self._last = self._chunks[at] = _Chunk(length, {}, {}, set())
 
     def add(self, record: Schema | Channel | Message, at: int) -> None:
         """Add a record of the last chunk, with its offset in the chunk."""
         if isinstance(record, Message):
             self._last.messages.setdefault(record.channel_id, []).append((record.log_time, at))
-            times = (record.log_time, *self._last.times)
-            self._last.times.clear()
-            self._last.times.update((min(times), max(times)))
         elif isinstance(record, Schema):
             self._schemas[record.id] = record
         else:
@@ -80,13 +81,21 @@ class IndexCheck:
         Raises:
             DamageError: it names other messages than those in the chunk.
         """
-        index = MessageIndex.read(_stream(body))
-        found = self._last.messages.get(index.channel_id, [])
-        if sorted(index.records) != sorted(found):
-            raise DamageError(f"the index of channel {index.channel_id} names other messages than its chunk has")
+        channel, _ = _INDEX.unpack_from(body)
+        found = self._last.messages.get(channel, [])
+        if sorted(_INDEXED.iter_unpack(body[_INDEX.size :])) != sorted(found):
+            raise DamageError(f"the index of channel {channel} names other messages than its chunk has")
         if found:
-            self._last.indexes[index.channel_id] = at
-            found.clear()
+            self._last.indexes[channel] = at
+            self._compared(found)
+
+    def _compared(self, messages: list[tuple[int, int]]) -> None:
+        """Forget messages of the last chunk, except for the first and last time."""
+        if messages:
+            times = (min(messages)[0], max(messages)[0], *self._last.times)
+            self._last.times.clear()
+            self._last.times.update((min(times), max(times)))
+            messages.clear()
 
     def check_summary(self, kind: int, body: bytes, begins: int) -> None:
         """Check a record of the summary, which begins at the offset `begins` in the file.
@@ -94,6 +103,8 @@ class IndexCheck:
         Raises:
             DamageError: it contradicts the data.
         """
+        for messages in self._last.messages.values():
+            self._compared(messages)
         if kind == Opcode.CHUNK_INDEX:
             index = ChunkIndex.read(_stream(body))
             chunk = self._chunks.get(index.chunk_start_offset)

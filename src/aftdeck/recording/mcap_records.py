@@ -35,6 +35,7 @@ UNDER_WAY = 2**64 - 1
 """Value of a chunk's length fields while the chunk is being written."""
 _START = struct.Struct("<BQ")
 _INT, _LONG = struct.Struct("<I"), struct.Struct("<Q")
+_MESSAGE_KIND = int(Opcode.MESSAGE)
 _MESSAGE = struct.Struct("<HIQQ")
 """Beginning of a message: channel, sequence number, log time, publish time."""
 _PARTS: dict[int, tuple[tuple[int, struct.Struct], ...]] = {
@@ -238,12 +239,21 @@ def _unpacked(body: bytes, index: IndexCheck) -> Iterator[Schema | Channel | Mes
     if chunk.uncompressed_crc not in (0, zlib.crc32(data)):
         raise DamageError("chunk CRC does not match")
     at = 0
-    while at < len(data):
-        opcode, length = _checked(_START.unpack_from, data, at)
+    size = len(data)
+    while at < size:
+        opcode, length = (
+            _START.unpack_from(data, at) if size - at >= _START.size else _checked(_START.unpack, data[at:])
+        )
         begins, at = at, at + _START.size
-        if length > len(data) - at:
+        if length > size - at:
             raise DamageError("a record is longer than its chunk")
-        record = _checked(_record, opcode, data[at : at + length])
+        if opcode == _MESSAGE_KIND and length >= _MESSAGE.size:
+            channel, sequence, log_time, publish_time = _MESSAGE.unpack_from(data, at)
+            record: Schema | Channel | Message = Message(
+                channel, log_time, data[at + _MESSAGE.size : at + length], publish_time, sequence
+            )
+        else:
+            record = _checked(_record, opcode, data[at : at + length])
         index.add(record, begins)
         yield record
         at += length

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import BinaryIO, NamedTuple
 
@@ -12,6 +12,7 @@ from mcap.records import Header, Schema
 from mcap.records import Message as McapMessage
 
 from aftdeck.errors import RecordingError, RecordingFault
+from aftdeck.recording import on_demand
 from aftdeck.recording.chain import Declared
 from aftdeck.recording.codec import decode
 from aftdeck.recording.damage import DamageError, SizeError
@@ -50,6 +51,8 @@ MAX_WITHOUT_STEP = 10_000
 MAX_TIME_ERROR = 1e-6
 """Greatest difference between the time of a frame and its number of control periods [s]."""
 _LONGEST_SEED = 2**63
+_Decode = Callable[[type[Message], bytes], Message]
+"""Function that decodes a message of a type."""
 
 
 class Entry(NamedTuple):
@@ -110,40 +113,53 @@ class Recording:
         """
         return (entry.message for entry in self.entries() if entry.message is not None)
 
+    def messages_on_demand(self) -> Iterator[Message]:
+        """Yield the messages as `messages` does; their attitudes are converted when they are read (`on_demand`)."""
+        return (entry.message for entry in self._checked(on_demand.decode) if entry.message is not None)
+
     def entries(self) -> Iterator[Entry]:
         """Yield the messages of all channels as `messages` does, with their channels, times and bytes."""
+        return self._checked(decode)
+
+    def _checked(self, read: _Decode) -> Iterator[Entry]:
+        """Yield the messages of all channels, whose order and steps are checked."""
         self.ended, self.cut, self.time_s = "", False, 0.0
         self.delays = Delays() if self.opening.real_time else None
         tick = quiet = 0
-        for number, entry in enumerate(self._entries()):
+        for number, entry in enumerate(self._entries(read)):
             message = entry.message
             if self.ended:
                 raise self._misplaced(f"a message in {short(entry.channel.topic)} follows the footer")
-            if number and isinstance(message, Opening):
-                raise self._misplaced("a second header follows the first")
-            if isinstance(message, Input | FrameRecord) and message.tick != tick + 1:
-                raise self._misplaced(f"step {short(message.tick)} follows step {tick}")
             quiet += 1
+            if isinstance(message, (FrameRecord, Input)) and message.tick != tick + 1:
+                raise self._misplaced(f"step {short(message.tick)} follows step {tick}")
             if isinstance(message, FrameRecord):
-                if not abs(message.time_s - message.tick * self.opening.control_period_s) <= MAX_TIME_ERROR:
-                    raise self._damaged(f"step {message.tick} has the time {message.time_s:g} s")
-                if any(len(values) != len(self.opening.joints) for values in _joint_values(message)):
-                    raise self._damaged(
-                        f"step {message.tick} does not have one value for each of {len(self.opening.joints)} joints"
-                    )
+                self._check_step(message)
                 tick, quiet, self.time_s = message.tick, 0, message.time_s
-            if quiet > MAX_WITHOUT_STEP:
+            elif quiet > MAX_WITHOUT_STEP:
                 raise self._damaged(f"more than {MAX_WITHOUT_STEP} messages without a step")
-            if isinstance(message, DelayRecord) and self.delays is not None:
+            elif message is None or isinstance(message, Input):
+                pass
+            elif number and isinstance(message, Opening):
+                raise self._misplaced("a second header follows the first")
+            elif isinstance(message, DelayRecord) and self.delays is not None:
                 self.delays = self.delays.after(
                     message.time_s, message.late_s, message.lost_s, commanded=message.commanded
                 )
-            if isinstance(message, Closing):
+            elif isinstance(message, Closing):
                 if message.ticks != tick:
                     raise self._misplaced(f"the file ends after step {tick} of {short(message.ticks)}")
                 self.ended, self.frames_sha256, self.summary = message.ended, message.frames_sha256, message.summary
             yield entry
         self.cut = not self.ended
+
+    def _check_step(self, frame: FrameRecord) -> None:
+        """Check the time of a frame, and the number of values in its lists of joints."""
+        if not abs(frame.time_s - frame.tick * self.opening.control_period_s) <= MAX_TIME_ERROR:
+            raise self._damaged(f"step {frame.tick} has the time {frame.time_s:g} s")
+        joints = len(self.opening.joints)
+        if set(map(len, _joint_values(frame))) != {joints}:
+            raise self._damaged(f"step {frame.tick} does not have one value for each of {joints} joints")
 
     def entries_with_inputs(self) -> Iterator[Entry]:
         """Yield the messages as `entries` does, for a re-simulation, which needs the inputs of each step.
@@ -184,13 +200,13 @@ class Recording:
         """
         return (message for message in self.messages() if isinstance(message, ControllersRecord))
 
-    def _entries(self) -> Iterator[Entry]:
+    def _entries(self, read: _Decode = decode) -> Iterator[Entry]:
         try:
             if self.path.exists() and not self.path.is_file():  # reading a pipe or a device may never end
                 kind = "a folder" if self.path.is_dir() else "not a regular file"
                 raise RecordingError(f"{self.path}: is {kind}, not a recording", "unreadable")
             with self.path.open("rb") as file:
-                yield from self._decoded(file)
+                yield from self._decoded(file, read)
         except OSError as error:
             raise RecordingError(f"{self.path}: cannot be read: {error.strerror or error}", "unreadable") from None
         except SizeError as error:
@@ -202,7 +218,7 @@ class Recording:
         except DamageError as error:
             raise self._damaged(str(error)) from None
 
-    def _decoded(self, file: BinaryIO) -> Iterator[Entry]:
+    def _decoded(self, file: BinaryIO, read: _Decode) -> Iterator[Entry]:
         start = file.read(len(MAGIC))
         if start != MAGIC[: len(start)]:
             raise RecordingError(
@@ -214,31 +230,36 @@ class Recording:
         channels: dict[int, Declared] = {}
         profile = PROFILE
         for record in records(file):
-            if isinstance(record, Header):
-                profile = record.profile
-                if profile not in (PROFILE, ""):
-                    raise self._foreign()
-            if isinstance(record, Schema):
+            if isinstance(record, McapMessage):
+                self.share = file.tell() / size
+                channel = channels.get(record.channel_id)
+                if channel is None:
+                    raise DamageError(f"a message belongs to channel {record.channel_id}, which is not declared")
+                if profile != PROFILE:
+                    if not channel.schema.startswith(f"{PROFILE}."):
+                        raise self._foreign()
+                    profile = PROFILE  # another program may have written none
+                message = self._message(channel.topic, record.data, read)
+                yield Entry(channel, record.log_time, record.publish_time, record.data, message)
+            elif isinstance(record, Header):
+                profile = self._profile_of(record)
+            elif isinstance(record, Schema):
                 if schemas.setdefault(record.id, record) != record:
                     raise DamageError(f"schema {record.id} is declared twice, and differently")
             elif isinstance(record, McapChannel):
-                channel = _declared(record, schemas.get(record.schema_id))
-                if channels.setdefault(record.id, channel) != channel:
+                declared = _declared(record, schemas.get(record.schema_id))
+                if channels.setdefault(record.id, declared) != declared:
                     raise DamageError(f"channel {record.id} is declared twice, and differently")
-            elif isinstance(record, McapMessage):
-                self.share = file.tell() / size
-                if record.channel_id not in channels:
-                    raise DamageError(f"a message belongs to channel {record.channel_id}, which is not declared")
-                channel = channels[record.channel_id]
-                if profile != PROFILE and not channel.schema.startswith(f"{PROFILE}."):
-                    raise self._foreign()
-                profile = PROFILE  # another program may have written none
-                message = self._message(channel.topic, record.data)
-                yield Entry(channel, record.log_time, record.publish_time, record.data, message)
         if profile != PROFILE:
             raise self._foreign()
 
-    def _message(self, topic: str, data: bytes) -> Message | None:
+    def _profile_of(self, header: Header) -> str:
+        """Return the profile of a file, which may be empty."""
+        if header.profile not in (PROFILE, ""):
+            raise self._foreign()
+        return header.profile
+
+    def _message(self, topic: str, data: bytes, read: _Decode) -> Message | None:
         if topic not in CHANNELS:
             return None
         kind, _ = CHANNELS[topic]
@@ -250,7 +271,7 @@ class Recording:
                 self._check_layout(msgspec.json.decode(data, type=_Layout))
             if texts:  # decoded directly, because unknown fields then take no memory
                 return msgspec.json.decode(data, type=kind)
-            return decode(kind, data)
+            return read(kind, data)
         except (msgspec.MsgspecError, AttributeError, KeyError, TypeError, ValueError, RecursionError) as error:
             raise self._damaged(f"invalid message in {topic}: {error}") from None
 
@@ -274,16 +295,16 @@ class Recording:
         return RecordingError(f"{self.path}: is damaged after {self.time_s:.2f} s: {why}", "damaged")
 
 
-def _joint_values(frame: FrameRecord) -> Iterator[Joints | tuple[int, ...]]:
-    """Yield every list of a frame that has a value for each joint."""
-    yield from (frame.angles, frame.rates, frame.angles_commanded, frame.rates_commanded, frame.rate_limits)
-    yield frame.zones
-    further = (
-        None if frame.check is None else frame.check.joints,
-        frame.work.master,
-        None if frame.dynamics is None else frame.dynamics.torques,
-    )
-    yield from (values for values in further if values is not None)
+def _joint_values(frame: FrameRecord) -> list[Joints | tuple[int, ...]]:
+    """Return every list of a frame that has a value for each joint."""
+    found = [frame.angles, frame.rates, frame.angles_commanded, frame.rates_commanded, frame.rate_limits, frame.zones]
+    if frame.check is not None and frame.check.joints is not None:
+        found.append(frame.check.joints)
+    if frame.work.master is not None:
+        found.append(frame.work.master)
+    if frame.dynamics is not None:
+        found.append(frame.dynamics.torques)
+    return found
 
 
 def _declared(channel: McapChannel, schema: Schema | None) -> Declared:

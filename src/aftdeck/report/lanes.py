@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
-
 from aftdeck.report.curves import Lane, Stretch
 from aftdeck.report.lamps import Lamp
 from aftdeck.simulation.frame import Frame
@@ -31,27 +29,34 @@ class Lanes:
         }
         self._ticks = self.starts = 0
         self._shown: tuple[tuple[str, ...], ...] = ((), ())
+        self._seen: tuple[object, ...] = ()
 
     def shown(self, monitors: tuple[tuple[str, ...], ...]) -> None:
         """Set the cameras that the monitors show from the next frame on."""
         self._shown = monitors
 
-    def add(self, frame: Frame, lamps: Iterable[Lamp]) -> None:
+    def add(self, frame: Frame, lamps: tuple[Lamp, ...]) -> None:
         """Add the next frame and the lamps lit in it."""
+        self._ticks, ticks = frame.tick, self._ticks
+        seen, self._seen = self._seen, (phase_of(frame), frame.mode, self._shown, lamps, frame.limits)
+        if seen != self._seen:
+            self._change(frame, lamps, ticks)
+
+    def _change(self, frame: Frame, lamps: tuple[Lamp, ...], begun: int) -> None:
+        """Begin the intervals that have begun with a frame, after step `begun`."""
         alarms = {lamp.name: lamp.level for lamp in lamps if lamp.level != "info"}
         worst: Level = "warning" if "warning" in alarms.values() else "caution" if alarms else "info"
-        self._put("Phase", phase_of(frame), "info")
-        self._put("Mode", frame.mode, "info")
+        self._put(begun, "Phase", phase_of(frame), "info")
+        self._put(begun, "Mode", frame.mode, "info")
         for name, cameras in zip(MONITORS, self._shown, strict=True):
-            self._put(name, " | ".join(cameras), "info")
-        self._put("Alarms", " · ".join(alarms), worst)
-        self._put("Limits", " · ".join(sorted({limit.kind for limit in frame.limits})), "info")
-        self._ticks = frame.tick
+            self._put(begun, name, " | ".join(cameras), "info")
+        self._put(begun, "Alarms", " · ".join(alarms), worst)
+        self._put(begun, "Limits", " · ".join(sorted({limit.kind for limit in frame.limits})), "info")
 
-    def _put(self, lane: str, label: str, level: Level) -> None:
+    def _put(self, begun: int, lane: str, label: str, level: Level) -> None:
         stretches = self._lanes[lane]
         if not stretches or stretches[-1][1] != label or stretches[-1][2] != level:
-            stretches.append((self._ticks, label, level))
+            stretches.append((begun, label, level))
             self.starts += 1
 
     def forget(self, before: int) -> None:

@@ -48,6 +48,8 @@ _ALL = [
     for how in reading.metrics
     for metric in metrics_of(reading, how)
 ]
+_AT_ONCE = 64
+"""Number of steps whose values are reduced at once."""
 _BY_COLUMN = {metric.column: metric for _, _, metric in _ALL}
 NEED_GAUGES = frozenset(metric.column for _, reading, metric in _ALL if reading.needs == "gauges")
 """Columns of the metrics that need gauges."""
@@ -64,7 +66,10 @@ def with_recorded(subject: str, metrics: Sequence[Metric]) -> tuple[Metric, ...]
 
 
 class ReadingMetrics:
-    """Metrics of a run's readings."""
+    """Metrics of a run's readings.
+
+    The steps are collected, and their values computed and reduced many at a time.
+    """
 
     def __init__(self, scenario: Scenario) -> None:
         kept = [
@@ -73,25 +78,34 @@ class ReadingMetrics:
             for how in reading.metrics
         ]
         self._reductions = [reduction for _, _, reductions in kept for reduction in reductions]
-        self._gauged = [(of, one[0].see) for reading, of, one in kept if reading.needs == "gauges"]
-        self._single = [
-            (of, one[0].see) for reading, of, one in kept if reading.needs != "gauges" and not reading.parts
+        self._always = [
+            (of, reductions, reading.parts) for reading, of, reductions in kept if reading.needs != "gauges"
         ]
-        self._of_joints = [(of, reductions) for reading, of, reductions in kept if reading.parts]
+        self._gauged = [
+            (of, reductions, reading.parts) for reading, of, reductions in kept if reading.needs == "gauges"
+        ]
+        self._steps: list[Known] = []
 
     def see(self, known: Known) -> None:
         """Add the next step."""
-        for of, see in self._single:
-            see(of(known), known)
-        for of, reductions in self._of_joints:
-            for reduction, value in zip(reductions, of(known), strict=True):
-                reduction.see(value, known)
-        if known.gauges is not None:
-            for of, see in self._gauged:
-                see(of(known), known)
+        self._steps.append(known)
+        if len(self._steps) == _AT_ONCE:
+            self._reduce()
+
+    def _reduce(self) -> None:
+        """Reduce the values in the collected steps."""
+        steps, self._steps = self._steps, []
+        gauged = [step for step in steps if step.gauges is not None]
+        for readings, known in ((self._always, steps), (self._gauged, gauged)):
+            for of, reductions, parts in readings if known else ():
+                values = list(map(of, known))
+                columns = zip(*values, strict=True) if parts else (values,)
+                for reduction, column in zip(reductions, columns, strict=True):
+                    reduction.see(column, known)
 
     def found(self) -> Iterator[Found]:
         """Yield the metrics for which there were values."""
+        self._reduce()
         return filter(None, [reduction.found() for reduction in self._reductions])
 
 

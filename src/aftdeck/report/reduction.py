@@ -3,29 +3,17 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
+from collections.abc import Sequence
+from functools import reduce
+from operator import add, gt
 
 from aftdeck.report.metric import Found, Metric, Value
-from aftdeck.simulation.readings.reading import Known, Recorded, Reducer
+from aftdeck.simulation.readings.reading import Known, Recorded
 from aftdeck.worksite.watch.alarm import Level
-
-_NEXT: dict[Reducer, Callable[[float, float, float, float], float]] = {
-    "greatest": lambda total, value, before, period_s: max(total, abs(value)),
-    "least": lambda total, value, before, period_s: min(total, value),
-    "mean": lambda total, value, before, period_s: total + value,
-    "last": lambda total, value, before, period_s: value,
-    "integral": lambda total, value, before, period_s: total + value * period_s,
-    "time": lambda total, value, before, period_s: total + value,
-    "share": lambda total, value, before, period_s: total + value,
-    "begun": lambda total, value, before, period_s: total + (value > before),
-}
-"""Function of each reducer: the new total from the old one, the value, the value before, and the control period [s]."""
-_SETTLED = ("greatest", "least", "last", "begun")
-"""Reducers whose total does not change if a value is repeated; that of the others does not change by a zero."""
 
 
 class Reduction:
-    """Metric of a run, value by value.
+    """Metric of a run, from the values of consecutive steps.
 
     Args:
         metric: its definition.
@@ -36,29 +24,48 @@ class Reduction:
 
     def __init__(self, metric: Metric, how: Recorded, joint: str, period_s: float) -> None:
         self._metric, self._how, self._joint, self._period_s = metric, how, joint, period_s
-        self._next = _NEXT[how.by]
         self._total = math.inf if how.by == "least" else 0.0
         self._count = 0
-        self._before: float | None = None
-        self._settled = how.by in _SETTLED and how.level is None
-        self._adds = how.by not in _SETTLED and how.level is None
-        self._at: Known | None = None  # step that decided the total
+        self._before = 0.0
+        self._at: Known | None = None  # step with the greatest or least value; of other reducers, the first step
         self._level: Level = "info"
 
-    def see(self, value: float | None, known: Known) -> None:
-        """Add the value in the next step; None for no value."""
-        if value is None or (self._settled and value == self._before):
-            return
-        if not value and self._adds and self._at is not None:
-            self._count += 1
-            return
-        total = self._next(self._total, value, value if self._before is None else self._before, self._period_s)
-        if total != self._total or self._at is None:
-            self._total, self._at = total, known
-        self._before = value
-        self._count += 1
-        if self._how.level is not None and self._level != "warning" and (level := self._how.level(known)) != "info":
-            self._level = level
+    def see(self, values: Sequence[float | None], steps: Sequence[Known]) -> None:
+        """Add the values in the next steps; None for no value."""
+        known = [value for value in values if value is not None]
+        if len(known) < len(values):
+            steps = [step for step, value in zip(steps, values, strict=True) if value is not None]
+        if known:
+            self._add(known, steps)
+
+    def _add(self, values: Sequence[float], steps: Sequence[Known]) -> None:
+        """Add the values in the next steps that have values."""
+        if self._at is None:
+            self._at, self._before = steps[0], values[0]
+        match self._how.by:
+            case "greatest":
+                sizes = list(map(abs, values))
+                self._decide(sizes, max(sizes), steps)
+            case "least":
+                self._decide(values, min(values), steps)
+            case "last":
+                self._total = values[-1]
+            case "begun":
+                self._total += sum(map(gt, values, [self._before, *values]))
+            case "integral":
+                self._total = reduce(add, [value * self._period_s for value in values], self._total)
+            case "mean" | "time" | "share":
+                self._total = reduce(add, values, self._total)
+        self._before = values[-1]
+        self._count += len(values)
+        if self._how.level is not None and self._level != "warning":
+            levels = set(map(self._how.level, steps))
+            self._level = "warning" if "warning" in levels else "caution" if "caution" in levels else self._level
+
+    def _decide(self, values: Sequence[float], value: float, steps: Sequence[Known]) -> None:
+        """Take a greater or smaller value as the total, and the first step with it."""
+        if (value > self._total) if self._how.by == "greatest" else (value < self._total):
+            self._total, self._at = value, steps[values.index(value)]
 
     def found(self) -> Found | None:
         """Return the metric and its value; None without a value."""

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from array import array
 from collections.abc import Callable, Iterator, Sequence
+from operator import itemgetter
 from typing import NamedTuple
 
 import numpy as np
@@ -24,6 +25,9 @@ BUCKETS = 1000
 
 The drawn curve then has about two values for each pixel of the strip's width.
 """
+
+_AT_ONCE = 64
+"""Number of steps whose values are computed at once."""
 
 
 class Source(NamedTuple):
@@ -58,36 +62,62 @@ def _sources(reading: Reading, scenario: Scenario) -> Iterator[Source]:
         yield Source(blank, tuple((of, k if parts else None) for _, of in curves))
 
 
+class _Functions:
+    """Functions of the values of all curves.
+
+    Attributes:
+        functions: the functions, each once.
+        places: for each curve, strip by strip, the index of its function, and the number of its part; None if the
+            function has no parts.
+    """
+
+    def __init__(self, scenario: Scenario) -> None:
+        curves = [curve for source in sources(scenario) for curve in source.curves]
+        self.functions = list(dict.fromkeys(of for of, _ in curves))
+        self.places = [(self.functions.index(of), part) for of, part in curves]
+
+
 def curve_values(scenario: Scenario) -> Callable[[Frame, float | None], tuple[float | None, ...]]:
     """Return a function that returns the values of all curves, strip by strip, for a frame and its latency [ms]."""
-    curves = [curve for source in sources(scenario) for curve in source.curves]
-    functions = list(dict.fromkeys(of for of, _ in curves))
-    places = [(functions.index(of), part) for of, part in curves]
+    own = _Functions(scenario)
 
     def values(frame: Frame, latency_ms: float | None) -> tuple[float | None, ...]:
         known = Known(frame, scenario, latency_ms=latency_ms)
-        found = [of(known) for of in functions]
-        return tuple([found[k] if part is None else found[k][part] for k, part in places])
+        found = [of(known) for of in own.functions]
+        return tuple([found[k] if part is None else found[k][part] for k, part in own.places])
 
     return values
 
 
 class Strips:
-    """All curves of a run, collected frame by frame."""
+    """All curves of a run, collected frame by frame; their values are computed many at a time."""
 
     def __init__(self, scenario: Scenario, period_s: float) -> None:
-        self._blank = blank(scenario)
-        self._curves = sum(len(strip.curves) for strip in self._blank)
-        self._values = array("d")  # of all curves, frame by frame
-        self._period_s = period_s
+        self._scenario, self._period_s = scenario, period_s
+        self._blank, self._functions = blank(scenario), _Functions(scenario)
+        self._curves = [array("d") for _ in self._functions.places]
+        self._steps: list[Known] = []
 
-    def add(self, values: Sequence[float | None]) -> None:
-        """Add the values of the next frame."""
-        self._values.extend([math.nan if value is None else value for value in values])
+    def add(self, frame: Frame, latency_ms: float | None) -> None:
+        """Add the next frame, and the latency in its step [ms]; None if it was not measured."""
+        self._steps.append(Known(frame, self._scenario, latency_ms=latency_ms))
+        if len(self._steps) == _AT_ONCE:
+            self._compute()
+
+    def _compute(self) -> None:
+        """Compute the values in the collected steps."""
+        steps, self._steps = self._steps, []
+        if not steps:
+            return
+        found = [list(map(of, steps)) for of in self._functions.functions]
+        for curve, (k, part) in zip(self._curves, self._functions.places, strict=True):
+            values = found[k] if part is None else list(map(itemgetter(part), found[k]))
+            curve.extend([math.nan if value is None else value for value in values] if None in values else values)
 
     def strips(self) -> tuple[Strip, ...]:
         """Return all strips, thinned; a curve without any value has no points."""
-        columns = iter(np.asarray(self._values).reshape(-1, self._curves).T)
+        self._compute()
+        columns = iter([np.asarray(curve) for curve in self._curves])
         return tuple(self._strip(strip, [next(columns) for _ in strip.curves]) for strip in self._blank)
 
     def _strip(self, strip: Strip, columns: Sequence[NDArray[np.float64]]) -> Strip:

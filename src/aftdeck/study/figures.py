@@ -7,10 +7,10 @@ from typing import Any
 
 from aftdeck.report.catalogue import METRICS
 from aftdeck.report.intervals import Interval, mean_interval
-from aftdeck.report.page.document import Chart
-from aftdeck.report.page.svg import COLOURS, chart
+from aftdeck.report.page.document import COLOURS, Chart
 from aftdeck.report.table import Row
 from aftdeck.simulation.readings.quantity import UNITS
+from aftdeck.study.charts import chart
 from aftdeck.study.factor import Factor
 from aftdeck.study.statistics import Group, groups, numbers, success_rate
 

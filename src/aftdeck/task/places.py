@@ -29,6 +29,9 @@ class Places:
         self._index = {payload.name: k for k, payload in enumerate(scenario.payloads)}
         self.berths = {berth.name: berth for berth in scenario.worksite.berths}
         self._scene = scene_in_l(scenario.arm.model.mount, scenario.worksite.origin)
+        self._captures: dict[AtPayload, Pose] = {}  # in the payload's axes
+        self._seats: dict[tuple[AtBerth, int], Pose] = {}  # in the berth's frame; in L, if this is the orbiter
+        self._outs: dict[str, Array] = {}  # in L, for berths of the orbiter
 
     def tip(self, frame: Frame) -> Pose:
         """Return the pose of the tip."""
@@ -59,15 +62,15 @@ class Places:
         match target:
             case Target():
                 return target.pose
-            case AtPayload(payload=k):
-                return composed(self.payload(frame, k), at_payload(self._model, self._payloads[k], target))
+            case AtPayload():
+                return self.capture(frame, target)
             case InFrame():
                 return composed(self.carrier(frame, target.frame), target.pose)
             case AtBerth():
                 if (held := self.held(frame)) is None:
                     return None
                 in_payload = composed(inverted(self.payload(frame, held)), self.tip(frame))
-                return composed(self._seated(frame, target, held), in_payload)
+                return composed(self.seated(frame, target, held), in_payload)
 
     def above(self, frame: Frame, target: Target | RelativeTarget) -> float | None:
         """Return how far the tip is above a payload, or the held payload above a berth [m].
@@ -75,14 +78,13 @@ class Places:
         The distance is measured along the way out, from the target without its `above`. None if the target is neither,
         or no payload is held above a berth.
         """
-        out = self.way_out(frame, target)
         match target:
-            case AtPayload(payload=k, above=above) if out is not None:
-                pose = composed(self.payload(frame, k), at_payload(self._model, self._payloads[k], target))
-                return above + _along(out, self.tip(frame).position - pose.position)
-            case AtBerth(above=above) if out is not None and (held := self.held(frame)) is not None:
-                pose = self._seated(frame, target, held)
-                return above + _along(out, self.payload(frame, held).position - pose.position)
+            case AtPayload(above=above):
+                pose = self.capture(frame, target)
+                return above + _along(-pose.rotation[:, 0], np.array(frame.position) - pose.position)
+            case AtBerth(above=above) if (held := self.held(frame)) is not None:
+                pose, at = self.seated(frame, target, held), np.array(frame.work.cargo[held].position)
+                return above + _along(self._out(frame, self.berths[target.berth]), at - pose.position)
             case _:
                 return None
 
@@ -92,12 +94,10 @@ class Places:
         It leads back along the end effector's axis from a payload, up out of the bay, or out from a port.
         """
         match target:
-            case AtPayload(payload=k):
-                pose = composed(self.payload(frame, k), at_payload(self._model, self._payloads[k], target))
-                return -pose.rotation[:, 0]
+            case AtPayload():
+                return -self.capture(frame, target).rotation[:, 0]
             case AtBerth():
-                berth = self.berths[target.berth]
-                return product(self.carrier(frame, berth.frame).rotation, berth.pose.rotation)[:, berth.out]
+                return self._out(frame, self.berths[target.berth])
             case _:
                 return None
 
@@ -114,7 +114,7 @@ class Places:
         here = self.payload(frame, k).position
         return min(
             fitting,
-            key=lambda berth: math.dist(self._seated(frame, AtBerth(berth.name), k).position, here),
+            key=lambda berth: math.dist(self.seated(frame, AtBerth(berth.name), k).position, here),
             default=None,
         )
 
@@ -123,9 +123,27 @@ class Places:
         assert pose is not None, "a payload always has a pose"
         return math.dist(pose.position, tip)
 
-    def _seated(self, frame: Frame, target: AtBerth, k: int) -> Pose:
-        berth = self.berths[target.berth]
-        return composed(self.carrier(frame, berth.frame), at_berth(berth, self._payloads[k], target))
+    def capture(self, frame: Frame, target: AtPayload) -> Pose:
+        """Return the pose of the tip at a target over a payload."""
+        if target not in self._captures:
+            self._captures[target] = at_payload(self._model, self._payloads[target.payload], target)
+        return composed(self.payload(frame, target.payload), self._captures[target])
+
+    def seated(self, frame: Frame, target: AtBerth, k: int) -> Pose:
+        """Return the pose of payload k at a target in a berth."""
+        berth, fixed = self.berths[target.berth], (target, k)
+        if fixed not in self._seats:
+            seat = at_berth(berth, self._payloads[k], target)
+            self._seats[fixed] = composed(self._scene, seat) if berth.frame == "orbiter" else seat
+        seat = self._seats[fixed]
+        return seat if berth.frame == "orbiter" else composed(self.carrier(frame, berth.frame), seat)
+
+    def _out(self, frame: Frame, berth: Berth) -> Array:
+        """Return the direction (3,) in L that leads out of a berth."""
+        if berth.name not in self._outs or berth.frame != "orbiter":
+            turn = product(self.carrier(frame, berth.frame).rotation, berth.pose.rotation)
+            self._outs[berth.name] = turn[:, berth.out]
+        return self._outs[berth.name]
 
 
 def _pose(position: Vec3, orientation: Rows) -> Pose:

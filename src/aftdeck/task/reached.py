@@ -106,6 +106,8 @@ def _near(aims: Aims, step: TaskStep, wanted: StateSpec, now: Frame) -> bool:
     aimed = step.target is not None or step.joint is not None
     if not aimed and (now.goal is None or MODES[now.mode].kind != "automatic"):
         return False
+    if wanted.within is not None and aims.is_beyond(now, step, wanted.within):
+        return False
     left = aims.remaining(now, step)
     return (
         left is not None

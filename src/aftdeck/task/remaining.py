@@ -24,6 +24,8 @@ _NEAR_M, _NEAR_RAD = 0.016, math.radians(2.0)
 A green component is below 1/sqrt(3) of the distance: less than half of the least window of a capture (0.75 in).
 """
 
+_ROUNDED_M = 1e-6
+"""Greatest difference, by rounding, of a distance that is computed in two ways [m]."""
 _AWAY_M = 0.1
 """Distance above a payload or a berth from which on the place is named `above` or `before` it [m]."""
 
@@ -101,6 +103,21 @@ class Aims:
                 return left if above > _AWAY_M else _ready(left, frame)
             case _:
                 return self._to(frame, "target", pose, self._near(step))
+
+    def is_beyond(self, frame: Frame, step: TaskStep, distance: float) -> bool:
+        """Return whether the remaining distance to a step's payload or berth is certainly greater than `distance` [m].
+
+        The remaining motion takes many times as long. Of a distance that is about equal, False tells nothing.
+        """
+        held = self.places.held(frame)
+        match step.target:
+            case AtPayload() as target if held is None:
+                at, to = frame.position, self.places.capture(frame, target)
+            case AtBerth() as target if held is not None:
+                at, to = frame.work.cargo[held].position, self.places.seated(frame, target, held)
+            case _:
+                return False
+        return math.dist(at, to.position.tolist()) > distance + _ROUNDED_M
 
     def target(self, frame: Frame, step: TaskStep | None) -> Target | RelativeTarget | None:
         """Return the target of the present step, or else of the present objective; None if there is none.

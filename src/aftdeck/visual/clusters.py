@@ -13,6 +13,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from functools import lru_cache
+from operator import le
 from typing import NamedTuple
 
 import numpy as np
@@ -92,15 +93,15 @@ def clusters_of(scenario: Scenario) -> Clusters:
     Raises:
         InputError: the scenario has more than MOST_CLUSTERS clusters.
     """
-    made = _solids(scenario)
-    merged = _merged(made)
+    made, near = _solids(scenario), _Near()
+    merged = _merged(made, near)
     overlapping = sum(
         a.frame == b.frame and apart(a.body, b.body) < -TOLERANCE
         for i, a in enumerate(made)
         for b in made[:i]
-        if _near(a.body, b.body)
+        if near(a.body, b.body)
     )
-    clusters = _merged(_apart(merged))
+    clusters = _merged(_apart(merged, near), near)
     if len(clusters) > MOST_CLUSTERS:
         raise InputError(
             f"{scenario.name} has {len(clusters)} convex bodies to draw; at most {MOST_CLUSTERS} can be put in order"
@@ -145,14 +146,14 @@ def _solids(scenario: Scenario) -> list[Cluster]:
     return found
 
 
-def _merged(clusters: Sequence[Cluster]) -> list[Cluster]:
+def _merged(clusters: Sequence[Cluster], near: _Near) -> list[Cluster]:
     """Return clusters in which any two of one part whose union is convex are one cluster."""
     found: list[Cluster] = []
     for cluster in clusters:
         joined = cluster
         while True:
             for k, other in enumerate(found):
-                if (other.part, other.frame) == (joined.part, joined.frame) and _near(other.body, joined.body):
+                if (other.part, other.frame) == (joined.part, joined.frame) and near(other.body, joined.body):
                     both = union(other.body, joined.body)
                     if both is not None:
                         joined = Cluster(joined.part, joined.frame, both)
@@ -164,14 +165,14 @@ def _merged(clusters: Sequence[Cluster]) -> list[Cluster]:
     return found
 
 
-def _apart(clusters: Sequence[Cluster]) -> list[Cluster]:
+def _apart(clusters: Sequence[Cluster], near: _Near) -> list[Cluster]:
     """Return clusters of which no two in one frame overlap; their union is unchanged."""
     found: list[Cluster] = []
     waiting = sorted(clusters, key=lambda cluster: volume(cluster.body))
     while waiting:
         cluster = waiting.pop()
         for k, other in enumerate(found):
-            if other.frame != cluster.frame or not _near(other.body, cluster.body):
+            if other.frame != cluster.frame or not near(other.body, cluster.body):
                 continue
             if apart(other.body, cluster.body) >= -TOLERANCE:
                 continue
@@ -187,12 +188,24 @@ def _apart(clusters: Sequence[Cluster]) -> list[Cluster]:
     return found
 
 
-def _near(a: Polyhedron, b: Polyhedron) -> bool:
-    """Return whether the bounding boxes of two polyhedra touch or overlap."""
-    return bool(
-        (a.points.min(axis=0) <= b.points.max(axis=0) + TOLERANCE).all()
-        and (b.points.min(axis=0) <= a.points.max(axis=0) + TOLERANCE).all()
-    )
+class _Near:
+    """Test of bounding boxes. It remembers the box of each polyhedron, and the polyhedron itself."""
+
+    def __init__(self) -> None:
+        self._boxes: dict[int, tuple[Polyhedron, Sequence[float], Sequence[float]]] = {}
+
+    def __call__(self, a: Polyhedron, b: Polyhedron) -> bool:
+        """Return whether the bounding boxes of two polyhedra touch or overlap."""
+        _, a_low, a_high = self._box(a)
+        _, b_low, b_high = self._box(b)
+        return all(map(le, a_low, b_high)) and all(map(le, b_low, a_high))
+
+    def _box(self, body: Polyhedron) -> tuple[Polyhedron, Sequence[float], Sequence[float]]:
+        """Return a polyhedron, its least coordinates, and its greatest ones with the tolerance [m]."""
+        if id(body) not in self._boxes:
+            low, high = body.points.min(axis=0), body.points.max(axis=0) + TOLERANCE
+            self._boxes[id(body)] = body, low.tolist(), high.tolist()
+        return self._boxes[id(body)]
 
 
 def _trims(

@@ -12,6 +12,7 @@ from typing import Literal, NamedTuple
 import numpy as np
 
 from aftdeck.arrays import Array, Indices
+from aftdeck.matrices import cross
 from aftdeck.scene.colours import material_of
 from aftdeck.scene.mesh import Mesh
 from aftdeck.scene.polygon import signed_area
@@ -97,6 +98,7 @@ class _Face(NamedTuple):
         plane: (4,) its plane.
         axes: (2, 3) two axes in it.
         polygon: its polygon along these axes.
+        bounds: (2, 2) least and greatest coordinates of the polygon.
         among: clusters of its frame, and the number of its own among them.
     """
 
@@ -105,6 +107,7 @@ class _Face(NamedTuple):
     plane: Array
     axes: Array
     polygon: Flat
+    bounds: Array
     among: tuple[_Bodies, int]
 
 
@@ -156,10 +159,12 @@ def painted(bodies: Sequence[tuple[str, Polyhedron]], materials: Sequence[Materi
 def _face(number: int, material: Material, plane: Array, points: Array, among: tuple[_Bodies, int]) -> _Face:
     normal = plane[:3]
     along = np.eye(3)[int(np.abs(normal).argmin())]
-    first = np.cross(normal, along)
+    first = cross(normal, along)
     first /= np.sqrt(first @ first)
-    axes = np.array([first, np.cross(normal, first)])
-    return _Face(number, material, plane, axes, hull(_flat(points, axes)), among)
+    axes = np.array([first, cross(normal, first)])
+    polygon = hull(_flat(points, axes))
+    corners = np.array(polygon)
+    return _Face(number, material, plane, axes, polygon, np.array([corners.min(axis=0), corners.max(axis=0)]), among)
 
 
 def _flat(points: Array, axes: Array) -> list[Vec2]:
@@ -181,18 +186,24 @@ def _nearest(k: int, one: Drawn, faces: Sequence[_Face]) -> Iterator[tuple[_Face
     heights = points @ np.array([face.plane[:3] for face in faces]).T - [face.plane[3] for face in faces]
     near = np.flatnonzero((heights.max(axis=0) > -DEEP) & (heights.min(axis=0) < REACH))
     found: list[tuple[float, _Face, _Layer]] = []
-    for n in near.tolist():
+    for n in near[_over(points, [faces[n] for n in near.tolist()])].tolist():
         face, height = faces[n], heights[:, n]
-        flat = points @ face.axes.T
-        corners = np.array(face.polygon)
-        if (flat.min(axis=0) >= corners.max(axis=0)).any() or (flat.max(axis=0) <= corners.min(axis=0)).any():
-            continue
         if common(hull(_flat(points[height >= -DEEP], face.axes)) or hull(_flat(points, face.axes)), face.polygon):
             found.append((max(float(height.min()), 0.0), face, _Layer(k, one, height)))
     least = min((height for height, _, _ in found), default=0.0)
     for height, face, layer in found:
         if height <= least + _EQUAL:
             yield face, layer
+
+
+def _over(points: Array, faces: Sequence[_Face]) -> Indices:
+    """Return the indices of faces whose bounds overlap those of points (n, 3), both seen along the face's normal."""
+    if not faces:
+        return np.zeros(0, dtype=np.int64)
+    axes, bounds = np.array([face.axes for face in faces]), np.array([face.bounds for face in faces])
+    flat = (axes.reshape(-1, 3) @ points.T).reshape(len(faces), 2, -1)
+    overlap = (flat.min(axis=2) < bounds[:, 1]) & (flat.max(axis=2) > bounds[:, 0])
+    return np.flatnonzero(overlap.all(axis=1))
 
 
 def _outlines(one: Drawn, face: _Face, heights: Array) -> list[Flat]:
@@ -203,12 +214,12 @@ def _outlines(one: Drawn, face: _Face, heights: Array) -> list[Flat]:
         cut = _cut(points, heights, edges)
         return [outline] if (outline := hull(_flat(np.concatenate([points[heights >= -DEEP], cut]), face.axes))) else []
     a, b, c = (points[faces[:, i]] for i in range(3))
-    normals = np.cross(b - a, c - a)
+    normals = cross(b - a, c - a)
     facing = normals @ face.plane[:3] > _FACING * np.sqrt((normals**2).sum(axis=1))
     flat, lowest = _flat(points, face.axes), heights[faces].min(axis=1)
     seen = [[flat[i] for i in triangle] for triangle in faces[facing & (lowest >= -DEEP)].tolist()]
     for triangle in faces[facing & (lowest < -DEEP) & (heights[faces].max(axis=1) > -DEEP)]:
-        sides = np.array([triangle, np.roll(triangle, -1)]).T
+        sides = np.column_stack([triangle, triangle[[1, 2, 0]]])
         above = points[triangle[heights[triangle] >= -DEEP]]
         seen.append(hull(_flat(np.concatenate([above, _cut(points, heights, sides)]), face.axes)))
     return merged(polygon for polygon in seen if polygon)

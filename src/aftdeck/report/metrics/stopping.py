@@ -36,6 +36,7 @@ class Stopping:
         self._overshoot: float | None = None
         self._target: Vec3 | None = None
         self._nearest, self._past = math.inf, 0.0
+        self._moved: tuple[str, bool] | None = None  # what decided, in the last frame, which point the sticks move
 
     def see(self, frame: Frame, before: Frame | None) -> None:
         """Add the next frame.
@@ -43,7 +44,8 @@ class Stopping:
         A change of the mode or of the held payload may move the point of resolution, and ends a measurement.
         """
         self._automatic(frame)
-        if before is None or _point(frame) != _point(before) or frame.sequence != "idle":
+        moved, self._moved = self._moved, (frame.mode, frame.payload is not None)
+        if before is None or self._moved != moved or frame.sequence != "idle":
             self._released = None
             return
         released = sticks_released(frame)
@@ -77,8 +79,3 @@ class Stopping:
             yield STOPPING, Value(self._stopping)
         if self._greatest is not None:
             yield OVERSHOOT, Value(self._greatest)
-
-
-def _point(frame: Frame) -> tuple[str, bool]:
-    """Return what decides which point the sticks move."""
-    return frame.mode, frame.payload is not None

@@ -1,7 +1,7 @@
 """Report pages from templates: the document, and what its tables and charts consist of.
 
 A template is an HTML file of the package, beside the module that fills it. Jinja escapes every text that it shows; only
-the style and the charts, which are written here and by matplotlib, are HTML already.
+the style and the charts, which are written by `axes` and by matplotlib, are HTML already.
 """
 
 from __future__ import annotations
@@ -13,6 +13,8 @@ from typing import Any, NamedTuple
 from aftdeck.extra import needed
 from aftdeck.report.page.policy import content_policy, hash_source
 
+COLOURS = ("#1f5fa8", "#c2571a", "#2e7d4f", "#7a4aa0", "#a8322f", "#5b6770", "#8a7a12", "#0e7c86")
+"""Colours of lines in charts, in the order of their use."""
 _STYLE = "report/page/style.css"
 
 

@@ -6,8 +6,10 @@ import math
 from array import array
 from collections.abc import Mapping
 from dataclasses import dataclass
+from functools import lru_cache
 from typing import NamedTuple
 
+import msgspec
 import numpy as np
 
 from aftdeck.arrays import Array
@@ -16,13 +18,13 @@ from aftdeck.errors import RecordingError
 from aftdeck.recording.bundle import scenario_of
 from aftdeck.recording.gauged import messages_of
 from aftdeck.recording.reader import Recording
-from aftdeck.recording.records import FrameRecord, Note, Shown
+from aftdeck.recording.records import FrameRecord, Note, Opening, Shown
 from aftdeck.report.curves import Lane, Strip
 from aftdeck.report.lamps import lit_lamps
 from aftdeck.report.lanes import Lanes
 from aftdeck.report.metric import Metric, Value
 from aftdeck.report.run_metrics import RunMetrics
-from aftdeck.report.strips import Strips, curve_values
+from aftdeck.report.strips import Strips
 from aftdeck.scenario.model import Scenario
 from aftdeck.scene.everything import ScenePoses
 from aftdeck.simulation.frame import Event, Frame
@@ -66,7 +68,6 @@ class Gathered:
 
     Attributes:
         recording: the recording, read to its end.
-        scenario: its scenario.
         metrics: all metrics for which the run has data.
         progress: progress through the task.
         lanes: phase, mode, monitors, alarms and limits over the run.
@@ -78,7 +79,6 @@ class Gathered:
     """
 
     recording: Recording
-    scenario: Scenario
     metrics: Mapping[Metric, Value]
     progress: Progress
     lanes: tuple[Lane, ...]
@@ -89,9 +89,24 @@ class Gathered:
     events: tuple[Event, ...]
 
     @property
+    def scenario(self) -> Scenario:
+        """Scenario of the run; runs of equal scenarios have the same one, which is not sent from process to process."""
+        return scenario_of_run(self.recording.opening)
+
+    @property
     def title(self) -> str:
         """Title of the run: the name of its file."""
         return encodable(self.recording.path.stem)
+
+
+def scenario_of_run(opening: Opening) -> Scenario:
+    """Return the scenario of a recording with this header, as `scenario_of` does; of equal ones the same."""
+    return _scenario_of(
+        msgspec.structs.replace(opening, began="", seed=0, participant="", condition="", environment=None)
+    )
+
+
+_scenario_of = lru_cache(maxsize=4)(scenario_of)
 
 
 def with_gauges(recording: Recording) -> Gathered:
@@ -109,33 +124,33 @@ def gathered(recording: Recording, *, gauged: bool = False) -> Gathered:
     Raises:
         RecordingError: the recording has no step, or is damaged, or its re-simulation differs from it.
     """
-    scenario = scenario_of(recording.opening)
+    scenario = scenario_of_run(recording.opening)
     period_s = recording.opening.control_period_s
     metrics, lanes, strips = RunMetrics(scenario), Lanes(period_s), Strips(scenario, period_s)
-    read, poses = curve_values(scenario), ScenePoses(scenario)
+    poses = ScenePoses(scenario)
     tip, held, events = array("d"), array("d"), list[Event]()
     moments = _Moments()
     for message, gauges in messages_of(recording, gauged=gauged):
+        if isinstance(message, FrameRecord):
+            lamps = lit_lamps(scenario, message, recording.delays)
+            metrics.see(message, lamps, gauges)
+            lanes.add(message, lamps)
+            strips.add(message, message.latency_ms)
+            events += message.events
+            moments.see(message)
+            tip.extend(message.position)
+            held.extend(next((payload.position for payload in message.work.cargo if payload.held), _NONE))
+            continue
         metrics.note(message)
         if isinstance(message, Note):
             events.append(Event(message.time_s, message.kind, message.level, message.text))
         elif isinstance(message, Shown):
             lanes.shown((message.mon_1, message.mon_2))
             moments.monitors = (*message.mon_1, *message.mon_2)
-        elif isinstance(message, FrameRecord):
-            lamps = lit_lamps(scenario, message, recording.delays)
-            metrics.see(message, lamps, gauges)
-            lanes.add(message, lamps)
-            strips.add(read(message, message.latency_ms))
-            events += message.events
-            moments.see(message)
-            tip.extend(message.position)
-            held.extend(next((payload.position for payload in message.work.cargo if payload.held), _NONE))
     if not tip:
         raise RecordingError(f"{recording.path}: ends before its first step and has no report", "empty")
     return Gathered(
         recording,
-        scenario,
         metrics.found(recording.delays),
         metrics.progress,
         lanes.lanes(),

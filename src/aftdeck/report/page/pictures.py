@@ -5,14 +5,18 @@ from __future__ import annotations
 import base64
 import math
 from collections.abc import Iterable, Iterator, Sequence
+from contextlib import suppress
 from itertools import islice
+from pathlib import Path
 from typing import NamedTuple
 
 import numpy as np
 
 from aftdeck.arrays import Array
-from aftdeck.errors import SimulationError
-from aftdeck.report.page.gather import Gathered, Moment
+from aftdeck.errors import AftdeckError, SimulationError
+from aftdeck.recording.reader import Recording
+from aftdeck.recording.records import FrameRecord
+from aftdeck.report.page.gather import Gathered, Moment, scenario_of_run
 from aftdeck.scenario.light import LightCondition, condition_named
 from aftdeck.scene.cameras import SceneCameras
 from aftdeck.simulation.frame import Frame
@@ -65,6 +69,21 @@ def key_moments(run: Gathered) -> Iterator[KeyMoment]:
         pictures = list(islice(_pictures(scene, moment, shown or best_cameras(scene, placed, moment), light), CAMERAS))
         if pictures:
             yield KeyMoment(pictures, f"{moment.frame.time_s:.1f} s: {moment.title}")
+
+
+def draw_first(file: Path) -> None:
+    """Draw a picture of the first step of a recording, which calls the laws of all pictures and makes the scene.
+
+    Nothing is drawn of a recording that cannot be read, or if the camera is inside a body.
+    """
+    with suppress(AftdeckError):
+        recording = Recording(file)
+        frame = next((one for one in recording.messages() if isinstance(one, FrameRecord)), None)
+        if frame is not None:
+            scenario = scenario_of_run(recording.opening)
+            scene, moment = VisualScene(scenario), Moment("start", frame, ())
+            cameras = best_cameras(scene, SceneCameras(scenario), moment) or scene.cameras
+            next(_pictures(scene, moment, cameras, condition_named(scenario.lighting.condition)), None)
 
 
 def _pictures(

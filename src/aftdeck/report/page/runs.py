@@ -24,7 +24,7 @@ def page(runs: Sequence[Gathered]) -> str:
     """Return the report of runs as one HTML page.
 
     Raises:
-        InputError: matplotlib or Jinja is not installed.
+        InputError: Jinja is not installed.
     """
     return document(
         "report/page/runs.html",

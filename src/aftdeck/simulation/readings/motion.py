@@ -18,8 +18,14 @@ def worst_rate(rates: Sequence[float], limits: Sequence[float]) -> tuple[float, 
     return worst, parts.index(worst) if worst > 0 else -1
 
 
+def _worst_measured(s: Known) -> float:
+    worst: float = max(map(truediv, map(abs, s.frame.rates), s.frame.rate_limits))
+    return worst
+
+
 def _worst_commanded(s: Known) -> float:
-    return worst_rate(s.frame.rates_commanded, s.frame.rate_limits)[0]
+    worst: float = max(map(truediv, map(abs, s.frame.rates_commanded), s.frame.rate_limits))
+    return worst
 
 
 _WORST = "Greatest commanded joint rate, as a fraction of the joint's limit at that time."
@@ -37,7 +43,7 @@ MOTION = (
     Reading(
         "joint_rate",
         "greatest joint rate, as a fraction of the joint's limit at that time",
-        lambda s: worst_rate(s.frame.rates, s.frame.rate_limits)[0],
+        _worst_measured,
         quantity="part of limit",
         commanded=_worst_commanded,
         strip=Strip(limit=1.0, shown=True),

@@ -161,7 +161,7 @@ class PlaybackStore:
                     raise RecordingError(f"{recording.path}: step {message.tick} has the unknown mode {message.mode!r}")
                 lit = lit_lamps(self._scenario, message, recording.delays)
                 lanes.add(message, lit)
-                strips.add(self._values(message, message.latency_ms))
+                strips.add(message, message.latency_ms)
                 metrics.see(message, lit)
                 events += message.events
                 if message.changes != in_flight:

@@ -1,4 +1,4 @@
-"""Charts, drawn by matplotlib."""
+"""Charts of a study, drawn by matplotlib."""
 
 from __future__ import annotations
 
@@ -13,7 +13,6 @@ from aftdeck.extra import needed
 from aftdeck.folders import user_folder, usual_folder
 from aftdeck.report.page.document import Chart
 
-COLOURS = ("#1f5fa8", "#c2571a", "#2e7d4f", "#7a4aa0", "#a8322f", "#5b6770", "#8a7a12", "#0e7c86")
 _STYLE = {
     "font.family": "sans-serif",
     "font.size": 9.0,
