@@ -26,6 +26,8 @@ _RISE, _BELOW = 0.38, 0.76
 """Baseline of a text in the middle of its height, and of one below a point, as parts of its size."""
 _ROOM_X, _ROOM_Y = 3.0 * _FONT, 2.0 * _FONT
 """Room that a number needs along each axis."""
+_TITLE = 6.0
+"""Distance of a title's baseline from the axes [pt]."""
 _MARGIN = 0.05
 """Part of the range of the values that an axis is longer at each end."""
 _EM = 0.62
@@ -138,7 +140,7 @@ class Axes:
 
     def title(self, text: str) -> None:
         """Write a title above the axes."""
-        self._write(self.left, self.top - 6.0, text, "start", "#000", 9.5)
+        self._write(self.left, self.top - _TITLE, text, "start", "#000", 9.5)
 
     def title_x(self, text: str) -> None:
         """Write what the horizontal axis shows."""
@@ -188,15 +190,21 @@ class Axes:
         self._write(float(self.across(x)), y + 0.26 * size, text, "start", "#000", size)
 
     def legend(self, entries: Sequence[Entry], size: float, *, side_by_side: bool, margin: float) -> None:
-        """Draw a legend in the upper right corner, `margin` sizes of the font away from it."""
+        """Draw a legend: side by side in the title's row, or below each other in the axes' upper right corner.
+
+        Args:
+            entries: the lines that it names.
+            size: size of the font [pt].
+            side_by_side: whether the entries stand in the title's row, where no line crosses them.
+            margin: distance from the corner, in sizes of the font.
+        """
         widths = [_EM * size * len(entry.text) for entry in entries]
         right = self.right - (margin + 0.4) * size
         for k, entry in enumerate(entries):
             if side_by_side:
-                x, row = right - sum(widths[k:]) - 4.8 * size * (len(entries) - k - 1), 0.0
+                x, y = right - sum(widths[k:]) - 4.8 * size * (len(entries) - k - 1), self.top - _TITLE - 0.35 * size
             else:
-                x, row = right - max(widths), k * 1.5 * size
-            y = self.top + (margin + 0.81) * size + row
+                x, y = right - max(widths), self.top + (margin + 0.81 + 1.5 * k) * size
             line = f'stroke="{entry.colour}" stroke-width="{entry.width}"'
             self._draw(f"M{x - 2.8 * size:.2f} {y:.2f}h{2.0 * size:.2f}", line)
             self._write(x, y + 0.35 * size, entry.text, "start", "#000", size)
