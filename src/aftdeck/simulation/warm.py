@@ -12,16 +12,20 @@ from aftdeck.scenario.model import Scenario
 from aftdeck.scenario.target import target_at
 from aftdeck.simulation.begin import initial_state
 from aftdeck.simulation.constants.flight import Flight, run_constants
+from aftdeck.simulation.fly import complete
 from aftdeck.simulation.inputs import Inputs
 from aftdeck.simulation.motion.contact_out import way_out_of_contact
 from aftdeck.simulation.motion.ways_out import ways_out
+from aftdeck.simulation.observe.arm_events import log_arm_events
 from aftdeck.simulation.observe.look import frame_of
 from aftdeck.simulation.observe.look_ahead import MOST_S, look_ahead
+from aftdeck.simulation.payloads.alignment import count
 from aftdeck.simulation.payloads.fixing import conditions_at
 from aftdeck.simulation.payloads.grasp import NEAR, attach, carried_by, empty_grasp, start_free_flight
 from aftdeck.simulation.payloads.objective import present_objective
 from aftdeck.simulation.payloads.sliding import slide_along
 from aftdeck.simulation.payloads.task_phases import change_task, task_of
+from aftdeck.simulation.period.period import STEERED
 from aftdeck.simulation.state import State
 from aftdeck.simulation.step import step
 from aftdeck.state_part import digest
@@ -50,6 +54,7 @@ def warm_up(scenario: Scenario) -> None:
         arm.inverse(here.pose, near=scenario.initial_angles)
     look_ahead(flight, state, MOST_S, (3, 1))
     ways_out(flight, state, (1, *(0,) * (joints - 1)), scenario.arm.model.singularities[-1:])
+    _rest_of_step(flight, state)
     step(flight, state, Inputs(mode="SINGLE"))
     ways_out(flight, state, (0,) * joints, scenario.arm.model.singularities[-1:])
     step(flight, state, None)
@@ -82,3 +87,12 @@ def _carry(flight: Flight, state: State) -> None:
     state.carried = carried_by(flight.scenario, flight.site, state.worksite, state.script)
     start_free_flight(flight, worksite, state.plant, 0, from_space=False)
     step(flight, state, None)
+    _rest_of_step(flight, state)
+
+
+def _rest_of_step(flight: Flight, state: State) -> None:
+    """Make the part of a step that follows the steering, as far as Python can make it."""
+    log = state.log(flight.scenario.control_period)
+    complete(flight, state, log, Inputs(), STEERED)
+    count(flight.site, state.worksite, flight.within)
+    log_arm_events(flight, state, log, observed=False)
