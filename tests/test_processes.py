@@ -19,7 +19,8 @@ from tests.waits import WAIT_S
 SOURCE = Path(aftdeck.__file__).parent
 
 PARENT = """
-import sys
+import signal, sys
+signal.signal(signal.SIGINT, signal.default_int_handler)  # ignored in a job in the background
 from aftdeck.processes import Child
 import stuck
 child = Child(getattr(stuck, sys.argv[1]))
