@@ -53,12 +53,12 @@ def flattened(arrays: Sequence[NDArray[Any]], kind: type) -> NDArray[Any]:
 @law
 def line(flat: NDArray[Any], table: Indices, part: int) -> NDArray[Any]:
     """Return a part with one axis as a view."""
-    begin = table[part, 0]
-    return flat[begin : begin + table[part, 1]]
+    begin = table[part, BEGIN]
+    return flat[begin : begin + table[part, ROWS]]
 
 
 @law
 def block(flat: NDArray[Any], table: Indices, part: int) -> NDArray[Any]:
     """Return a part with two axes as a view."""
-    begin, rows, columns = table[part, 0], table[part, 1], table[part, 2]
+    begin, rows, columns = table[part, BEGIN], table[part, ROWS], table[part, COLUMNS]
     return flat[begin : begin + rows * columns].reshape(rows, columns)

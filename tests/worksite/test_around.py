@@ -14,7 +14,7 @@ from aftdeck.kinematics.observe import SEEN, observe, observe_near
 from aftdeck.plant.state import FOLLOWING
 from aftdeck.simulation.constants.flight import FAST, WATCHED
 from aftdeck.simulation.payloads.alignment import alarm_pairs
-from aftdeck.worksite.watch.contact_update import nearest_place, place_everything
+from aftdeck.worksite.watch.places import nearest_place, place_everything
 from tests.simulation.flights import random_inputs
 
 

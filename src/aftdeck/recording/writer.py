@@ -35,7 +35,7 @@ from aftdeck.simulation.summary import Summary
 
 FLUSH_S = 0.85
 """Time after which a chunk of the file is closed [s]; with `POLL_S` and the writing, less than the second that a killed
-program may lose. The compression of each chunk begins anew, so that shorter ones make a longer file."""
+program may lose. Each chunk is compressed by itself, so that shorter chunks make a longer file."""
 POLL_S = 0.05
 """Interval at which the thread checks its queue [s]; to wake the thread in each step would delay the simulation."""
 BATCH = 16

@@ -42,21 +42,21 @@ class Lanes:
         if seen != self._seen:
             self._change(frame, lamps, ticks)
 
-    def _change(self, frame: Frame, lamps: tuple[Lamp, ...], begun: int) -> None:
-        """Begin the intervals that have begun with a frame, after step `begun`."""
+    def _change(self, frame: Frame, lamps: tuple[Lamp, ...], tick: int) -> None:
+        """Add the intervals that begin with a frame; `tick` is the number of the step before it."""
         alarms = {lamp.name: lamp.level for lamp in lamps if lamp.level != "info"}
         worst: Level = "warning" if "warning" in alarms.values() else "caution" if alarms else "info"
-        self._put(begun, "Phase", phase_of(frame), "info")
-        self._put(begun, "Mode", frame.mode, "info")
+        self._put(tick, "Phase", phase_of(frame), "info")
+        self._put(tick, "Mode", frame.mode, "info")
         for name, cameras in zip(MONITORS, self._shown, strict=True):
-            self._put(begun, name, " | ".join(cameras), "info")
-        self._put(begun, "Alarms", " · ".join(alarms), worst)
-        self._put(begun, "Limits", " · ".join(sorted({limit.kind for limit in frame.limits})), "info")
+            self._put(tick, name, " | ".join(cameras), "info")
+        self._put(tick, "Alarms", " · ".join(alarms), worst)
+        self._put(tick, "Limits", " · ".join(sorted({limit.kind for limit in frame.limits})), "info")
 
-    def _put(self, begun: int, lane: str, label: str, level: Level) -> None:
+    def _put(self, tick: int, lane: str, label: str, level: Level) -> None:
         stretches = self._lanes[lane]
         if not stretches or stretches[-1][1] != label or stretches[-1][2] != level:
-            stretches.append((begun, label, level))
+            stretches.append((tick, label, level))
             self.starts += 1
 
     def forget(self, before: int) -> None:

@@ -9,7 +9,7 @@ from aftdeck.plant.state import FOLLOWING, PlantState
 from aftdeck.simulation.constants.flight import Flight
 from aftdeck.simulation.constants.site import Site
 from aftdeck.simulation.parts.worksite_state import WorksiteState
-from aftdeck.worksite.watch.contact_update import place_everything
+from aftdeck.worksite.watch.places import place_everything
 
 
 def frames_at(

@@ -174,7 +174,10 @@ class State(StatePart, dict=True):
         self.row.take(self)
 
     def measure(self) -> None:
-        """Copy the plant's angles and rates to `steering`. Steering laws, plans and checks start from them."""
+        """Copy the plant's angles and rates to `steering`, before Python code of a step reads them there.
+
+        The compiled part of a step begins with the same copy.
+        """
         measured(self.plant.angles, self.plant.reference, self.plant.holds, self.shoulder_offset, self.steering)
 
     def log(self, period: float) -> Log:

@@ -26,6 +26,7 @@ from aftdeck.simulation.payloads.objective import present_objective
 from aftdeck.simulation.payloads.sliding import slide_along
 from aftdeck.simulation.payloads.task_phases import change_task, task_of
 from aftdeck.simulation.period.period import STEERED
+from aftdeck.simulation.period.steer import stop_arm
 from aftdeck.simulation.state import State
 from aftdeck.simulation.step import step
 from aftdeck.state_part import digest
@@ -47,6 +48,7 @@ def warm_up(scenario: Scenario) -> None:
     frame_of(flight, state, digest(state))
     quaternion_of_rows(here.rotation)  # recordings contain quaternions
     rate_ratio(state.rules, state.steering)
+    stop_arm(joints, state.steering, state.report, 0.0)
     for law in AUTOMATIC_LAWS:
         step(flight, state, Inputs(mode="OPR CMD", law=law, target=here, proceed=True))
         step(flight, state, Inputs(stop=True))

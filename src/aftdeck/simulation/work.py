@@ -16,7 +16,7 @@ from aftdeck.simulation.log import Log
 from aftdeck.simulation.motion.contact_out import way_out_of_contact
 from aftdeck.simulation.motion.motion_inhibit import sliding_payload
 from aftdeck.simulation.operator.panel import make_ready
-from aftdeck.simulation.parts.worksite_state import WorksiteState
+from aftdeck.simulation.parts.worksite_state import DRIVES, WorksiteState
 from aftdeck.simulation.payloads.capture import capture
 from aftdeck.simulation.payloads.contact_log import log_contacts
 from aftdeck.simulation.payloads.fixing import update_berths
@@ -35,8 +35,6 @@ from aftdeck.tuples import Vec3
 from aftdeck.worksite.free_flight import translate
 from aftdeck.worksite.watch.contact_motion import looked_at, relieves, worst_new_contact
 from aftdeck.worksite.watch.contacts import FRAMES, Inhibit
-
-_DRIVES = {"stop": 0.0, "close": 1.0, "open": -1.0}
 
 
 def update_worksite(flight: Flight, state: State, log: Log, inputs: Inputs, reached: int) -> None:
@@ -175,7 +173,7 @@ def _move_prong(flight: Flight, worksite: WorksiteState, plant: PlantState, *, a
     """
     site = flight.site
     free = site.prong and not attached
-    drive = _DRIVES[worksite.switch] if free else 0.0
+    drive = DRIVES[worksite.switch] if free else 0.0
     prong, period = worksite.prong, flight.scenario.control_period
     if drive > 0.0:
         drive *= _closing_fraction(site, worksite, prong.after(flight.prong, drive, period) - prong.position)

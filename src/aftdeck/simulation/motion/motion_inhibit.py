@@ -14,8 +14,8 @@ from aftdeck.simulation.frame_poses import frames_after
 from aftdeck.simulation.motion.standstill import joint_lock_reason
 from aftdeck.simulation.parts.worksite_state import WorksiteState
 from aftdeck.simulation.payloads.sliding import slide_along
+from aftdeck.simulation.period.steer import stop_arm
 from aftdeck.simulation.state import State
-from aftdeck.steering.layout import CLOCK, CLOCK_RATE, RATES, RATIO, TWIST
 from aftdeck.steering.mode import MODES
 from aftdeck.worksite.watch.contact_motion import leads_out, relieves, worst_new_contact
 
@@ -96,13 +96,9 @@ def sliding_payload(held: int | None, mode: str) -> int | None:
 def _stop_arm(flight: Flight, steering: Array, report: Array, mode: str) -> float:
     """Stop the arm, and return 0.0, the drive that stops the telescope.
 
-    The steering of the next step starts from rest. Except under `strict`, the clock of modes 1 and 3 is set back
-    by `CLOCK_RATE` control periods, which is about its advance in this step.
+    Except under `strict`, the clock of modes 1 and 3 is set back.
     """
-    steering[RATES : RATES + len(flight.scenario.arm.joints)] = 0.0
-    steering[TWIST : TWIST + 6] = 0.0
-    report[RATIO] = 0.0
-    if MODES[mode].kind == "automatic" and not flight.scenario.strict:
-        steering[CLOCK] -= steering[CLOCK_RATE] * flight.scenario.control_period
-        steering[CLOCK_RATE] = 0.0
+    scenario = flight.scenario
+    sets_back = MODES[mode].kind == "automatic" and not scenario.strict
+    stop_arm(len(scenario.arm.joints), steering, report, scenario.control_period if sets_back else 0.0)
     return 0.0

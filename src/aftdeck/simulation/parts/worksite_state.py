@@ -22,6 +22,8 @@ from aftdeck.worksite.watch.clearance_monitor import ClearanceMonitor
 from aftdeck.worksite.watch.contacts import Contacts
 
 Switch = Literal["stop", "close", "open"]
+DRIVES: dict[Switch, float] = {"stop": 0.0, "close": 1.0, "open": -1.0}
+"""Drive of the prong for each position of the end effector's switch."""
 Halt = Literal["", "seat", "contact", "switch"]
 
 

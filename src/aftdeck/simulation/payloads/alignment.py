@@ -27,9 +27,9 @@ from aftdeck.simulation.parts.worksite_state import WorksiteState
 from aftdeck.simulation.payloads.grasp import NEAR
 from aftdeck.worksite.relation import Meeting, Relation
 from aftdeck.worksite.watch.clearance_monitor import ClearanceMonitor
-from aftdeck.worksite.watch.contact_update import nearest_place
 from aftdeck.worksite.watch.contacts import FRAMES, Contacts
 from aftdeck.worksite.watch.found import CLEARANCE
+from aftdeck.worksite.watch.places import nearest_place
 
 ASIDE = 0.3
 """Greatest distance of a payload from the line on which it enters a berth, up to which it is about to enter [m]

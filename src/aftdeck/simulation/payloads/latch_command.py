@@ -11,7 +11,7 @@ from aftdeck.simulation.constants.site import Site
 from aftdeck.simulation.log import Log
 from aftdeck.simulation.parts.worksite_state import PayloadState, WorksiteState
 from aftdeck.worksite.berths.berth import Fit
-from aftdeck.worksite.watch.contact_update import nearest_place
+from aftdeck.worksite.watch.places import nearest_place
 
 Pressed = Literal["latch", "unlatch"]
 

@@ -25,7 +25,7 @@ from aftdeck.simulation.row.world import ENVELOPE, MOST, MOST_ANGLE, ONLY_Y, POR
 from aftdeck.worksite.berths.docking import BEFORE, DISTANCE, FOUND, INSIDE, TURNED, approach
 from aftdeck.worksite.capture.acquisition import acquired_bar
 from aftdeck.worksite.watch.bay import any_inside
-from aftdeck.worksite.watch.contact_update import nearest_place
+from aftdeck.worksite.watch.places import nearest_place
 
 
 @law

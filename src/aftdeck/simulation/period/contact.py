@@ -24,9 +24,6 @@ from aftdeck.simulation.row.scalars import (
     TOUCHING,
     WITHIN,
 )
-from aftdeck.simulation.row.scalars import (
-    CLEARANCE as NEAREST_CLEARANCE,
-)
 from aftdeck.simulation.row.world import World
 from aftdeck.worksite.watch.clearance_monitor import (
     Measured,
@@ -35,13 +32,13 @@ from aftdeck.worksite.watch.clearance_monitor import (
     minimum_clearance_group,
     travelled,
 )
-from aftdeck.worksite.watch.contact_update import place_everything
 from aftdeck.worksite.watch.contacts import count_frames, two_frames
 from aftdeck.worksite.watch.found import CLEARANCE
 from aftdeck.worksite.watch.groups import PackedLayout
+from aftdeck.worksite.watch.places import place_everything
 
 LOOSE = 0.25
-"""Bound of a clearance below which it is measured anew [m] (assumed)."""
+"""Bound of a clearance below which the clearance is measured again [m] (assumed)."""
 
 
 @law
@@ -69,9 +66,8 @@ def placed(world: World, now: Motion, watch: Watch, true: Array) -> None:
 @law
 def measured(world: World, pairs: PackedLayout, now: Motion, watch: Watch, within: float) -> None:
     """Measure the clearances below `within` [m] and count the contacts; write the results into the scalars."""
-    v = now.scalars
-    own = Measured(watch.at, watch.placed, watch.bound, watch.likely, watch.memory, watch.found, watch.near)
-    measure_groups(pairs, own, watch.active, watch.counts, now.before, now.frames, world.constants[PERIOD], within)
+    v, own, period = now.scalars, _monitor(watch), world.constants[PERIOD]
+    measure_groups(pairs, own, watch.active, watch.counts, now.before, now.frames, period, within)
     counted = count_frames(watch.found, watch.near, watch.frames_touching)
     v[TOUCHING], v[CHANGED] = 1.0 if counted.touching else 0.0, 1.0 if counted.changed else 0.0
     least = np.inf
@@ -79,20 +75,24 @@ def measured(world: World, pairs: PackedLayout, now: Motion, watch: Watch, withi
         if watch.near[g] != 0:
             least = min(least, watch.found[g, CLEARANCE])
     v[LEAST] = least
-    nearest = minimum_clearance_group(watch.found, watch.near, watch.counts)
-    v[NEAREST], v[NEAREST_CLEARANCE] = nearest, watch.found[nearest, CLEARANCE] if nearest >= 0 else np.inf
+    v[NEAREST] = minimum_clearance_group(watch.found, watch.near, watch.counts)
+
+
+@law
+def _monitor(watch: Watch) -> Measured:
+    """Return the arrays of the clearance monitor."""
+    return Measured(watch.at, watch.placed, watch.bound, watch.likely, watch.memory, watch.found, watch.near)
 
 
 @law
 def bounded(pairs: PackedLayout, watch: Watch) -> float:
     """Return a lower bound of the clearances of all monitored pairs at the poses in `Watch.at` [m].
 
-    It is -inf if a clearance was measured: then contacts have to be counted in the next step. Bounds below `LOOSE` are
-    measured anew, because they decrease with each motion of a part.
+    It is -inf if a clearance was measured: then contacts have to be counted in the next step. Pairs with bounds below
+    `LOOSE` are measured again, because a bound decreases with each motion of a part.
     """
     least: float = np.inf
-    own = Measured(watch.at, watch.placed, watch.bound, watch.likely, watch.memory, watch.found, watch.near)
-    measures = np.empty(PAIR)
+    own, measures = _monitor(watch), np.empty(PAIR)
     for g in range(len(watch.active)):
         if watch.near[g] != 0 or watch.frames_touching[g] != 0:
             return -np.inf

@@ -16,7 +16,7 @@ from aftdeck.simulation.row.now import Motion, Watch
 from aftdeck.simulation.row.scalars import HELD, LIMITS, NEAREST, RADIUS, SINGULAR, STAND_VELOCITY, WITHIN
 from aftdeck.simulation.row.world import World
 from aftdeck.worksite.capture.acquisition import enclosed_bar
-from aftdeck.worksite.watch.contact_update import nearest_place
+from aftdeck.worksite.watch.places import nearest_place
 
 
 @law

@@ -13,9 +13,10 @@ from aftdeck.simulation.period.contact import judged, seen
 from aftdeck.simulation.period.drive import drifted, driven, free
 from aftdeck.simulation.period.observe import counted, observed
 from aftdeck.simulation.period.steer import steered
-from aftdeck.simulation.row.now import Motion, Watch, motion_of, watch_of
+from aftdeck.simulation.row.now import Motion, Watch
+from aftdeck.simulation.row.opened import opened
 from aftdeck.simulation.row.scalars import BERTHS, STAND_VELOCITY
-from aftdeck.simulation.row.world import World, pairs_of, row_tables, world_of
+from aftdeck.simulation.row.world import World
 
 STEERED, DRIVEN, SEEN, JUDGED, ATTACHED, COUNTED = range(6)
 """How far a control period has come: see `advance`."""
@@ -54,10 +55,7 @@ def advance(
         the task is in contact. `JUDGED`: something may be captured, fixed or released. `ATTACHED`: a payload may be
         aligned, or the telescope has moved the arm. `COUNTED`: the step is complete.
     """
-    world = world_of(lend(fixed_numbers), lend(fixed_indices), lend(fixed_marks))
-    pairs, tables = pairs_of(lend(fixed_numbers), lend(fixed_indices)), row_tables(lend(fixed_indices))
-    now = motion_of(lend(numbers), lend(indices), tables)
-    watch = watch_of(lend(numbers), lend(indices), lend(marks), tables)
+    world, pairs, now, watch = opened(fixed_numbers, fixed_indices, fixed_marks, numbers, indices, marks)
     reached = moved(world, now, watch, lend(rules), lend(resting))
     if reached < SEEN:
         return reached
@@ -83,10 +81,8 @@ def contacts(
 
     The arguments are those of `advance`; `true` is that of `contact.seen`.
     """
-    world = world_of(lend(fixed_numbers), lend(fixed_indices), lend(fixed_marks))
-    pairs, tables = pairs_of(lend(fixed_numbers), lend(fixed_indices)), row_tables(lend(fixed_indices))
-    now = motion_of(lend(numbers), lend(indices), tables)
-    seen(world, pairs, now, watch_of(lend(numbers), lend(indices), lend(marks), tables), lend(true))
+    world, pairs, now, watch = opened(fixed_numbers, fixed_indices, fixed_marks, numbers, indices, marks)
+    seen(world, pairs, now, watch, lend(true))
 
 
 @law

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from aftdeck.simulation.parts.worksite_state import DRIVES, Halt
 from aftdeck.simulation.period.period import COUNTED, DRIVEN, STEERED, advance
 from aftdeck.simulation.row.scalars import (
     ARM,
@@ -31,11 +32,8 @@ from aftdeck.worksite.watch.contacts import UNINHIBITED, Inhibit
 if TYPE_CHECKING:
     from aftdeck.simulation.constants.flight import Flight
     from aftdeck.simulation.inputs import Inputs
-    from aftdeck.simulation.parts.worksite_state import Halt
     from aftdeck.simulation.state import State
 
-_DRIVES = {"stop": 0.0, "close": 1.0, "open": -1.0}
-"""Drive of the prong for each position of the end effector's switch."""
 _HALTS: tuple[Halt, ...] = ("", "seat", "switch")
 """What stopped the arm, by the number in `HALT`."""
 
@@ -110,7 +108,7 @@ def give(flight: Flight, state: State, inputs: Inputs) -> None:
         orbits = bool(worksite.orbiter_velocity.any())
     state.row.give(
         inputs.telescope,
-        _DRIVES[worksite.switch] if site.prong and not state.script.attached else 0.0,
+        DRIVES[worksite.switch] if site.prong and not state.script.attached else 0.0,
         state.standing.height,
         plant.stand.position,
         plant.stand.velocity,

@@ -11,9 +11,8 @@ from aftdeck.law import law
 from aftdeck.lent import lend
 from aftdeck.simulation.period.contact import bounded, measured, placed, still_clear
 from aftdeck.simulation.period.period import ATTACHED, SEEN, moved, settled
-from aftdeck.simulation.row.now import motion_of, watch_of
+from aftdeck.simulation.row.opened import opened
 from aftdeck.simulation.row.scalars import ARM, CHANGED, FLOATS, HELD, PERIOD, SLIDES, STAND_VELOCITY, WITHIN
-from aftdeck.simulation.row.world import pairs_of, row_tables, world_of
 from aftdeck.steering.layout import ANGLE, ARRIVED, DISTANCE, MOTION_ACTIVE, RATIO, REMAINING
 from aftdeck.steering.rehearsal import STANDSTILL
 
@@ -61,10 +60,7 @@ def rehearsed(
         slowest: least share of the steering's speed that an estimate assumes [1].
         day: time at which every rehearsal ends [s].
     """
-    world = world_of(lend(fixed_numbers), lend(fixed_indices), lend(fixed_marks))
-    pairs, tables = pairs_of(lend(fixed_numbers), lend(fixed_indices)), row_tables(lend(fixed_indices))
-    now = motion_of(lend(numbers), lend(indices), tables)
-    watch = watch_of(lend(numbers), lend(indices), lend(marks), tables)
+    world, pairs, now, watch = opened(fixed_numbers, fixed_indices, fixed_marks, numbers, indices, marks)
     rules, resting, links, command, report = lend(rules), lend(resting), lend(links), now.command, now.report
     v, period = now.scalars, world.constants[PERIOD]
     always = len(world.bars) > 0 and v[HELD] < 0.0

@@ -82,7 +82,8 @@ def stop_arm(joints: int, steering: Array, report: Array, back: float) -> None:
         joints: number of joints.
         steering: state of the steering laws.
         report: their report.
-        back: 0, or in modes 1 and 3 the control period [s]: their clock is set back by its advance in this step.
+        back: 0, or in modes 1 and 3 the control period [s]: their clock is set back by `CLOCK_RATE` periods, which is
+            about its advance in this step.
     """
     for i in range(joints):
         steering[RATES + i] = 0.0

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from operator import truediv
 
 from aftdeck.frames import quaternion_of_rows
@@ -13,19 +13,18 @@ from aftdeck.simulation.readings.reading import XYZ, Along, Known, Reading, Reco
 
 def worst_rate(rates: Sequence[float], limits: Sequence[float]) -> tuple[float, int]:
     """Return the largest ratio |rate| / limit, and the index of its joint; the index is -1 if no joint moves."""
-    parts = list(map(truediv, map(abs, rates), limits))
+    parts = list(_shares(rates, limits))
     worst = max(parts)
     return worst, parts.index(worst) if worst > 0 else -1
 
 
-def _worst_measured(s: Known) -> float:
-    worst: float = max(map(truediv, map(abs, s.frame.rates), s.frame.rate_limits))
-    return worst
+def _shares(rates: Sequence[float], limits: Sequence[float]) -> Iterator[float]:
+    """Return the ratios |rate| / limit of the joints."""
+    return map(truediv, map(abs, rates), limits)
 
 
 def _worst_commanded(s: Known) -> float:
-    worst: float = max(map(truediv, map(abs, s.frame.rates_commanded), s.frame.rate_limits))
-    return worst
+    return max(_shares(s.frame.rates_commanded, s.frame.rate_limits))
 
 
 _WORST = "Greatest commanded joint rate, as a fraction of the joint's limit at that time."
@@ -43,7 +42,7 @@ MOTION = (
     Reading(
         "joint_rate",
         "greatest joint rate, as a fraction of the joint's limit at that time",
-        _worst_measured,
+        lambda s: max(_shares(s.frame.rates, s.frame.rate_limits)),
         quantity="part of limit",
         commanded=_worst_commanded,
         strip=Strip(limit=1.0, shown=True),

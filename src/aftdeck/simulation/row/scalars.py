@@ -53,13 +53,11 @@ ARM, FINGER = 25, 26
 """1 if a contact inhibits the arm; 1 if one inhibits the prong."""
 LEAST = 27
 """Lower bound of the measured clearances [m]."""
-CLEARANCE = 28
-"""Clearance of the pair in NEAREST [m]; infinite without one."""
-BERTHS = 29
+BERTHS = 28
 """1 if something may now be captured, fixed or released."""
-LIMITS = 30
+LIMITS = 29
 """1 if a joint is past its reach limit or a singularity is near."""
-SCALARS = 31
+SCALARS = 30
 
 # constants of a run
 PERIOD = 0
