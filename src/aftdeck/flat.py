@@ -14,6 +14,7 @@ from numpy.typing import NDArray
 
 from aftdeck.arrays import Indices
 from aftdeck.law import law
+from aftdeck.lent import lend_block, lend_line
 
 BEGIN, ROWS, COLUMNS = range(3)
 """Columns of a table."""
@@ -52,13 +53,11 @@ def flattened(arrays: Sequence[NDArray[Any]], kind: type) -> NDArray[Any]:
 
 @law
 def line(flat: NDArray[Any], table: Indices, part: int) -> NDArray[Any]:
-    """Return a part with one axis as a view."""
-    begin = table[part, BEGIN]
-    return flat[begin : begin + table[part, ROWS]]
+    """Return a part with one axis as a view that is lent (`lent.py`)."""
+    return lend_line(flat, table[part, BEGIN], table[part, ROWS])
 
 
 @law
 def block(flat: NDArray[Any], table: Indices, part: int) -> NDArray[Any]:
-    """Return a part with two axes as a view."""
-    begin, rows, columns = table[part, BEGIN], table[part, ROWS], table[part, COLUMNS]
-    return flat[begin : begin + rows * columns].reshape(rows, columns)
+    """Return a part with two axes as a view that is lent."""
+    return lend_block(flat, table[part, BEGIN], table[part, ROWS], table[part, COLUMNS])

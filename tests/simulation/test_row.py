@@ -9,8 +9,8 @@ import pytest
 
 from aftdeck.scenario.load import built_in
 from aftdeck.simulation.constants.flight import Flight
-from aftdeck.simulation.row.now import INDICES, MARKS, NUMBERS, Motion, Watch, motion_of, watch_of
-from aftdeck.simulation.row.world import _world, pairs_of, row_tables, world_of
+from aftdeck.simulation.row.now import INDICES, MARKS, NUMBERS, Flat, Motion, Watch, motion_of, watch_of
+from aftdeck.simulation.row.world import _world, pairs_of, world_of
 from aftdeck.simulation.run import Simulation
 from aftdeck.simulation.state import State
 from aftdeck.state_part import encoded
@@ -29,10 +29,8 @@ def flown(name: str) -> tuple[Flight, State]:
 
 def parts_of(flight: Flight, state: State) -> dict[str, np.ndarray]:
     """Return the parts of a row by the names of the named tuples in which laws receive them."""
-    tables = row_tables(flight.packed.indices)
-    return motion_of(state.row.numbers, state.row.indices, tables)._asdict() | (
-        watch_of(state.row.numbers, state.row.indices, state.row.marks, tables)._asdict()
-    )
+    flat = Flat(*flight.packed, *state.row.packed)
+    return motion_of(flat)._asdict() | watch_of(flat)._asdict()
 
 
 @pytest.mark.parametrize("name", built_in())
@@ -63,11 +61,11 @@ def vars_of(owner: object) -> dict[str, object]:
 
 @pytest.mark.parametrize("name", built_in())
 def test_laws_receive_the_constants_of_a_run(name: str) -> None:
-    flight, _ = flown(name)
-    packed = flight.packed
+    flight, state = flown(name)
+    flat = Flat(*flight.packed, *state.row.packed)
     world, pairs = _world(flight), flight.site.layout.packed
     given: tuple[np.ndarray, ...] = (*world, *pairs)
-    got: tuple[np.ndarray, ...] = (*world_of(*packed), *pairs_of(packed.numbers, packed.indices))
+    got: tuple[np.ndarray, ...] = (*world_of(flat), *pairs_of(flat))
     for name_of, array, expected in zip((*world._fields, *pairs._fields), got, given, strict=True):
         assert array.shape == expected.shape, name_of
         assert np.array_equal(array, expected, equal_nan=expected.dtype.kind == "f"), name_of

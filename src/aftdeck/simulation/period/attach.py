@@ -5,13 +5,12 @@ from __future__ import annotations
 import numpy as np
 
 from aftdeck.bodies.pose import POSE, compose
-from aftdeck.law import law
+from aftdeck.law import large_law, law
 from aftdeck.simulation.payloads.latch_command import NEAR
 from aftdeck.simulation.payloads.task_phases import ACQUISITION, DOCKED, EXTRACTION, MANOEUVRING
-from aftdeck.simulation.row.now import Motion, Watch
+from aftdeck.simulation.row.now import Flat, Motion, motion_of, watch_of
 from aftdeck.simulation.row.scalars import (
     AT_PORT,
-    BERTHS,
     FIXED,
     FIXED_FINGER,
     HELD,
@@ -21,16 +20,17 @@ from aftdeck.simulation.row.scalars import (
     TASK,
     WORKS,
 )
-from aftdeck.simulation.row.world import ENVELOPE, MOST, MOST_ANGLE, ONLY_Y, PORT, TIP, World
+from aftdeck.simulation.row.world import ENVELOPE, MOST, MOST_ANGLE, ONLY_Y, PORT, TIP, World, world_of
 from aftdeck.worksite.berths.docking import BEFORE, DISTANCE, FOUND, INSIDE, TURNED, approach
 from aftdeck.worksite.capture.acquisition import acquired_bar
 from aftdeck.worksite.watch.bay import any_inside
 from aftdeck.worksite.watch.places import nearest_place
 
 
-@law
-def attached(world: World, now: Motion, watch: Watch) -> None:
-    """Write whether a payload may be captured, fixed or released now, and the report's mode, into the scalars."""
+@large_law
+def attached(flat: Flat) -> bool:
+    """Return whether a payload may be captured, fixed or released now; write the report's mode into the scalars."""
+    world, now, watch = world_of(flat), motion_of(flat), watch_of(flat)
     v, c = now.scalars, world.constants
     held = int(v[HELD])
     captures = v[WORKS] != 0.0
@@ -45,17 +45,16 @@ def attached(world: World, now: Motion, watch: Watch) -> None:
         number = nearest_place(now.frames, world.rows[held], world.berths[begin:end], world.places[begin:end], NEAR)
         if number >= 0 and world.by_itself[begin + number] != 0:
             berths = berths or docks(world, now, held, begin + number)
-    v[BERTHS] = 1.0 if captures or berths else 0.0
     if held < 0:
         v[TASK] = ACQUISITION
-        return
-    if v[AT_PORT] != 0.0:
+    elif v[AT_PORT] != 0.0:
         v[TASK] = DOCKED
-        return
-    if len(world.bay) > 0:
-        solids = world.bodies[world.body_begins[held] : world.body_begins[held + 1]]
-        inside = any_inside(watch.placed, solids, world.scene, world.bay[0], world.bay[1])
-    v[TASK] = EXTRACTION if inside else MANOEUVRING
+    else:
+        if len(world.bay) > 0:
+            solids = world.bodies[world.body_begins[held] : world.body_begins[held + 1]]
+            inside = any_inside(watch.placed, solids, world.scene, world.bay[0], world.bay[1])
+        v[TASK] = EXTRACTION if inside else MANOEUVRING
+    return bool(captures or berths)
 
 
 @law

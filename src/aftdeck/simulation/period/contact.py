@@ -6,8 +6,8 @@ import numpy as np
 
 from aftdeck.arrays import Array
 from aftdeck.bodies.pair import CONTACT, PAIR
-from aftdeck.law import law
-from aftdeck.simulation.row.now import Motion, Watch
+from aftdeck.law import large_law, law
+from aftdeck.simulation.row.now import Flat, Watch, motion_of, watch_of
 from aftdeck.simulation.row.scalars import (
     ARM,
     CHANGED,
@@ -24,7 +24,7 @@ from aftdeck.simulation.row.scalars import (
     TOUCHING,
     WITHIN,
 )
-from aftdeck.simulation.row.world import World
+from aftdeck.simulation.row.world import pairs_of, world_of
 from aftdeck.worksite.watch.clearance_monitor import (
     Measured,
     measure_group,
@@ -34,7 +34,6 @@ from aftdeck.worksite.watch.clearance_monitor import (
 )
 from aftdeck.worksite.watch.contacts import count_frames, two_frames
 from aftdeck.worksite.watch.found import CLEARANCE
-from aftdeck.worksite.watch.groups import PackedLayout
 from aftdeck.worksite.watch.places import place_everything
 
 LOOSE = 0.25
@@ -42,18 +41,19 @@ LOOSE = 0.25
 
 
 @law
-def seen(world: World, pairs: PackedLayout, now: Motion, watch: Watch, true: Array) -> None:
+def seen(flat: Flat, true: Array) -> None:
     """Place all frames, measure the clearances and count the contacts; write the results into the scalars.
 
     `true` (f, 12) are the poses of the arm's frames in L; (0, 12) if they follow from the joint angles.
     """
-    placed(world, now, watch, true)
-    measured(world, pairs, now, watch, world.constants[WITHIN])
+    placed(flat, true)
+    measured(flat, world_of(flat).constants[WITHIN])
 
 
-@law
-def placed(world: World, now: Motion, watch: Watch, true: Array) -> None:
+@large_law
+def placed(flat: Flat, true: Array) -> None:
     """Place all frames after a motion; `true` as for `seen`."""
+    world, now, watch = world_of(flat), motion_of(flat), watch_of(flat)
     v = now.scalars
     watch.monitored_before[:] = watch.active
     now.before[:] = now.frames
@@ -63,11 +63,12 @@ def placed(world: World, now: Motion, watch: Watch, true: Array) -> None:
     )  # fmt: skip
 
 
-@law
-def measured(world: World, pairs: PackedLayout, now: Motion, watch: Watch, within: float) -> None:
+@large_law
+def measured(flat: Flat, within: float) -> None:
     """Measure the clearances below `within` [m] and count the contacts; write the results into the scalars."""
-    v, own, period = now.scalars, _monitor(watch), world.constants[PERIOD]
-    measure_groups(pairs, own, watch.active, watch.counts, now.before, now.frames, period, within)
+    now, watch = motion_of(flat), watch_of(flat)
+    v, own, period = now.scalars, _monitor(watch), world_of(flat).constants[PERIOD]
+    measure_groups(pairs_of(flat), own, watch.active, watch.counts, now.before, now.frames, period, within)
     counted = count_frames(watch.found, watch.near, watch.frames_touching)
     v[TOUCHING], v[CHANGED] = 1.0 if counted.touching else 0.0, 1.0 if counted.changed else 0.0
     least = np.inf
@@ -85,13 +86,14 @@ def _monitor(watch: Watch) -> Measured:
 
 
 @law
-def bounded(pairs: PackedLayout, watch: Watch) -> float:
+def bounded(flat: Flat) -> float:
     """Return a lower bound of the clearances of all monitored pairs at the poses in `Watch.at` [m].
 
     It is -inf if a clearance was measured: then contacts have to be counted in the next step. Pairs with bounds below
     `LOOSE` are measured again, because a bound decreases with each motion of a part.
     """
     least: float = np.inf
+    pairs, watch = pairs_of(flat), watch_of(flat)
     own, measures = _monitor(watch), np.empty(PAIR)
     for g in range(len(watch.active)):
         if watch.near[g] != 0 or watch.frames_touching[g] != 0:
@@ -105,23 +107,25 @@ def bounded(pairs: PackedLayout, watch: Watch) -> float:
 
 
 @law
-def still_clear(pairs: PackedLayout, now: Motion, watch: Watch, bound: float, within: float) -> bool:
+def still_clear(flat: Flat, bound: float, within: float) -> bool:
     """Return whether no clearance is below `within` [m], because all parts have moved too little since `bounded`.
 
     If so, the scalars and the measurements are those of a step without a pair that is near.
     """
     if bound < within:
         return False
-    travel, most = np.empty(len(now.frames)), 0.0
-    travelled(now.frames, watch.at, pairs.reach, travel)
+    frames = motion_of(flat).frames
+    travel, most = np.empty(len(frames)), 0.0
+    travelled(frames, watch_of(flat).at, pairs_of(flat).reach, travel)
     for f in range(len(travel)):
         most = max(most, travel[f])
     return bool(bound - 2.0 * most >= within)
 
 
-@law
-def judged(world: World, now: Motion, watch: Watch) -> bool:
+@large_law
+def judged(flat: Flat) -> bool:
     """Write the inhibits; return False if a pair of the task is in contact, whose relation has to be tested first."""
+    world, now, watch = world_of(flat), motion_of(flat), watch_of(flat)
     v = now.scalars
     if v[TOUCHING] != 0.0 or v[CHANGED] != 0.0:
         for m in range(len(world.meetings)):

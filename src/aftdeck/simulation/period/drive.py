@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import numpy as np
 
-from aftdeck.law import law
+from aftdeck.law import large_law, law
 from aftdeck.plant.kinematic import follow
 from aftdeck.simulation.payloads.free_contact import measured
-from aftdeck.simulation.row.now import Motion, Watch
+from aftdeck.simulation.row.now import Flat, Motion, Watch, motion_of, watch_of
 from aftdeck.simulation.row.scalars import (
     CLOSES,
     CONTROLLED,
@@ -33,15 +33,20 @@ from aftdeck.simulation.row.scalars import (
     TELESCOPE_RATE,
     TIME_AT,
 )
-from aftdeck.simulation.row.world import World
+from aftdeck.simulation.row.world import World, world_of
 from aftdeck.steering.layout import RATES
 from aftdeck.worksite.capture.acquisition import MEASURED, PRONG, acquire
 from aftdeck.worksite.free_flight import coast, limit_cycle
 
 
-@law
-def driven(world: World, now: Motion) -> None:
-    """Move joints and telescope for one control period, at the commanded rates, as far as their stops allow."""
+@large_law
+def driven(flat: Flat) -> bool:
+    """Move joints and telescope for one control period, at the commanded rates, as far as their stops allow.
+
+    Returns:
+        Whether prong and floating payloads have moved, too. False if the orbiter moves or something may touch them.
+    """
+    world, now, watch = world_of(flat), motion_of(flat), watch_of(flat)
     v, c = now.scalars, world.constants
     joints = len(now.angles)
     follow(now.steering[RATES : RATES + joints], c[PERIOD], world.stops, now.angles, now.rates, now.commanded)
@@ -49,6 +54,10 @@ def driven(world: World, now: Motion) -> None:
         before = v[STAND]
         v[STAND] = after(before, v[TELESCOPE], c[TELESCOPE_LOW], c[TELESCOPE_HIGH], c[TELESCOPE_RATE], c[PERIOD])
         v[STAND_VELOCITY] = (v[STAND] - before) / c[PERIOD]
+    if not free(world, now, watch):
+        return False
+    drifted(world, now, watch)
+    return True
 
 
 @law

@@ -9,19 +9,20 @@ import numpy as np
 from aftdeck.arrays import Array
 from aftdeck.bodies.pose import POSE, compose, relative
 from aftdeck.kinematics.observe import observe_near
-from aftdeck.law import law
+from aftdeck.law import large_law, law
 from aftdeck.simulation.payloads.alignment import mark_task_pairs
 from aftdeck.simulation.payloads.grasp import NEAR
-from aftdeck.simulation.row.now import Motion, Watch
+from aftdeck.simulation.row.now import Flat, Motion, Watch, motion_of, watch_of
 from aftdeck.simulation.row.scalars import HELD, LIMITS, NEAREST, RADIUS, SINGULAR, STAND_VELOCITY, WITHIN
-from aftdeck.simulation.row.world import World
+from aftdeck.simulation.row.world import World, world_of
 from aftdeck.worksite.capture.acquisition import enclosed_bar
 from aftdeck.worksite.watch.places import nearest_place
 
 
-@law
-def observed(world: World, now: Motion, links: Array) -> None:
+@large_law
+def observed(flat: Flat, links: Array) -> None:
     """Observe the arm, and write into the scalars whether a limit is near."""
+    world, now = world_of(flat), motion_of(flat)
     v = now.scalars
     near = observe_near(
         links, now.angles, now.rates, v[STAND_VELOCITY], world.reach, world.constants[SINGULAR], now.observed
@@ -29,14 +30,15 @@ def observed(world: World, now: Motion, links: Array) -> None:
     v[LIMITS] = 1.0 if near else 0.0
 
 
-@law
-def counted(world: World, now: Motion, watch: Watch) -> bool:
+@large_law
+def counted(flat: Flat) -> bool:
     """Mark the pairs that count for the minimum clearance of the next step.
 
     Returns:
         False if a payload may be aligned with the end effector, a berth or a guide: its pairs then do not count
         (`payloads.alignment`).
     """
+    world, now, watch = world_of(flat), motion_of(flat), watch_of(flat)
     v, c = now.scalars, world.constants
     held = int(v[HELD])
     if held >= 0:

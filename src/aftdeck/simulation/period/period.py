@@ -10,13 +10,11 @@ from aftdeck.law import law
 from aftdeck.lent import lend
 from aftdeck.simulation.period.attach import attached
 from aftdeck.simulation.period.contact import judged, seen
-from aftdeck.simulation.period.drive import drifted, driven, free
+from aftdeck.simulation.period.drive import driven
 from aftdeck.simulation.period.observe import counted, observed
 from aftdeck.simulation.period.steer import steered
-from aftdeck.simulation.row.now import Motion, Watch
-from aftdeck.simulation.row.opened import opened
-from aftdeck.simulation.row.scalars import BERTHS, STAND_VELOCITY
-from aftdeck.simulation.row.world import World
+from aftdeck.simulation.row.now import Flat, lent, motion_of
+from aftdeck.simulation.row.scalars import STAND_VELOCITY
 
 STEERED, DRIVEN, SEEN, JUDGED, ATTACHED, COUNTED = range(6)
 """How far a control period has come: see `advance`."""
@@ -38,10 +36,10 @@ def advance(
     """Make a control step after the operator's commands, until something happens that is not compiled.
 
     Args:
-        fixed_numbers: constants of the run (`row.world.Packed`).
+        fixed_numbers: constants of the run and row of the state (`row.now.Flat`).
         fixed_indices: the same.
         fixed_marks: the same.
-        numbers: the state's row (`row.row.Row`).
+        numbers: the same.
         indices: the same.
         marks: the same.
         rules: the steering's rules of the present mode, rate and law.
@@ -55,15 +53,15 @@ def advance(
         the task is in contact. `JUDGED`: something may be captured, fixed or released. `ATTACHED`: a payload may be
         aligned, or the telescope has moved the arm. `COUNTED`: the step is complete.
     """
-    world, pairs, now, watch = opened(fixed_numbers, fixed_indices, fixed_marks, numbers, indices, marks)
-    reached = moved(world, now, watch, lend(rules), lend(resting))
+    flat = lent(fixed_numbers, fixed_indices, fixed_marks, numbers, indices, marks)
+    reached = moved(flat, lend(rules), lend(resting))
     if reached < SEEN:
         return reached
-    seen(world, pairs, now, watch, np.empty((0, POSE)))
-    reached = settled(world, now, watch)
-    if reached < ATTACHED or not observes or now.scalars[STAND_VELOCITY] != 0.0 or not counted(world, now, watch):
+    seen(flat, np.empty((0, POSE)))
+    reached = settled(flat)
+    if reached < ATTACHED or not observes or motion_of(flat).scalars[STAND_VELOCITY] != 0.0 or not counted(flat):
         return reached
-    observed(world, now, lend(links))
+    observed(flat, lend(links))
     return COUNTED
 
 
@@ -81,26 +79,20 @@ def contacts(
 
     The arguments are those of `advance`; `true` is that of `contact.seen`.
     """
-    world, pairs, now, watch = opened(fixed_numbers, fixed_indices, fixed_marks, numbers, indices, marks)
-    seen(world, pairs, now, watch, lend(true))
+    seen(lent(fixed_numbers, fixed_indices, fixed_marks, numbers, indices, marks), lend(true))
 
 
 @law
-def moved(world: World, now: Motion, watch: Watch, rules: Array, resting: Array) -> int:
+def moved(flat: Flat, rules: Array, resting: Array) -> int:
     """Steer and move; return `STEERED` or `DRIVEN` as `advance` does, or `SEEN` if contacts can be counted."""
-    if not steered(world, now, watch, rules, resting):
+    if not steered(flat, rules, resting):
         return STEERED
-    driven(world, now)
-    if not free(world, now, watch):
-        return DRIVEN
-    drifted(world, now, watch)
-    return SEEN
+    return SEEN if driven(flat) else DRIVEN
 
 
 @law
-def settled(world: World, now: Motion, watch: Watch) -> int:
+def settled(flat: Flat) -> int:
     """Judge the contacts and what is captured or fixed; return `SEEN`, `JUDGED` or `ATTACHED` as `advance` does."""
-    if not judged(world, now, watch):
+    if not judged(flat):
         return SEEN
-    attached(world, now, watch)
-    return JUDGED if now.scalars[BERTHS] != 0.0 else ATTACHED
+    return JUDGED if attached(flat) else ATTACHED

@@ -11,8 +11,9 @@ from aftdeck.law import law
 from aftdeck.lent import lend
 from aftdeck.simulation.period.contact import bounded, measured, placed, still_clear
 from aftdeck.simulation.period.period import ATTACHED, SEEN, moved, settled
-from aftdeck.simulation.row.opened import opened
+from aftdeck.simulation.row.now import lent, motion_of
 from aftdeck.simulation.row.scalars import ARM, CHANGED, FLOATS, HELD, PERIOD, SLIDES, STAND_VELOCITY, WITHIN
+from aftdeck.simulation.row.world import world_of
 from aftdeck.steering.layout import ANGLE, ARRIVED, DISTANCE, MOTION_ACTIVE, RATIO, REMAINING
 from aftdeck.steering.rehearsal import STANDSTILL
 
@@ -60,7 +61,8 @@ def rehearsed(
         slowest: least share of the steering's speed that an estimate assumes [1].
         day: time at which every rehearsal ends [s].
     """
-    world, pairs, now, watch = opened(fixed_numbers, fixed_indices, fixed_marks, numbers, indices, marks)
+    flat = lent(fixed_numbers, fixed_indices, fixed_marks, numbers, indices, marks)
+    world, now = world_of(flat), motion_of(flat)
     rules, resting, links, command, report = lend(rules), lend(resting), lend(links), now.command, now.report
     v, period = now.scalars, world.constants[PERIOD]
     always = len(world.bars) > 0 and v[HELD] < 0.0
@@ -74,15 +76,15 @@ def rehearsed(
         passes = report[DISTANCE] <= values[PASSES] and report[ANGLE] <= values[PASSES_TURN]
         if report[ARRIVED] != 0.0 or report[RATIO] < STANDSTILL or passes:
             return
-        reached = moved(world, now, watch, rules, resting)
+        reached = moved(flat, rules, resting)
         if reached == SEEN:
-            placed(world, now, watch, true)
-            if always or not still_clear(pairs, now, watch, bound, within):
-                measured(world, pairs, now, watch, within)
-                bound = bounded(pairs, watch)
+            placed(flat, true)
+            if always or not still_clear(flat, bound, within):
+                measured(flat, within)
+                bound = bounded(flat)
             else:
                 v[CHANGED] = 0.0
-            reached = settled(world, now, watch)
+            reached = settled(flat)
         values[REACHED] = reached
         values[STEPS] += 1.0
         if reached < ATTACHED:

@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from aftdeck.arrays import Array
-from aftdeck.law import law
-from aftdeck.simulation.row.now import Motion, Watch
+from aftdeck.law import large_law, law
+from aftdeck.simulation.row.now import Flat, motion_of, watch_of
 from aftdeck.simulation.row.scalars import (
     AUTOMATIC,
     BEGAN,
@@ -22,27 +22,26 @@ from aftdeck.simulation.row.scalars import (
     TELESCOPE,
     TELESCOPE_RATE,
 )
-from aftdeck.simulation.row.world import World
+from aftdeck.simulation.row.world import world_of
 from aftdeck.steering.course import start_motion
 from aftdeck.steering.layout import CLOCK, CLOCK_RATE, MOTION_ACTIVE, RATES, RATIO, TWIST
 from aftdeck.steering.msteer import measured, msteer
 from aftdeck.worksite.sliding.walls import met
 
 
-@law
-def steered(world: World, now: Motion, watch: Watch, rules: Array, resting: Array) -> bool:
+@large_law
+def steered(flat: Flat, rules: Array, resting: Array) -> bool:
     """Command the joint rates, and stop the arm if a berth or a switch does so.
 
     Args:
-        world: constants of the run.
-        now: joints, bodies and frames.
-        watch: contacts of the last step.
+        flat: constants of the run and row of the state.
         rules: the steering's rules of the present mode, rate and law.
         resting: rules that replace `rules` while no automatic motion is in progress.
 
     Returns:
         Whether nothing else limits the motion. False if contacts or walls may limit it.
     """
+    world, now, watch = world_of(flat), motion_of(flat), watch_of(flat)
     v, command, steering, report = now.scalars, now.command, now.steering, now.report
     measured(now.angles, now.rates, now.angles, v[STAND] - v[HEIGHT], steering)
     v[BEGAN] = 0.0

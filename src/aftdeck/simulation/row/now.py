@@ -10,10 +10,31 @@ from aftdeck.bodies.pose import POSE
 from aftdeck.flat import block, line, table_of
 from aftdeck.kinematics.observe import SEEN
 from aftdeck.law import law
+from aftdeck.lent import lend, lend_block
 from aftdeck.simulation.row.scalars import FLOATING, SCALARS
 from aftdeck.steering.layout import COMMAND, REPORT, STATE
 from aftdeck.worksite.watch.found import FOUND
 from aftdeck.worksite.watch.groups import SOLID, Layout
+
+
+class Flat(NamedTuple):
+    """Constants of a run and a row of its state, as compiled code takes them: flat arrays.
+
+    Attributes:
+        fixed_numbers: constants of the run (`world.Packed`): float64.
+        fixed_indices: int64.
+        fixed_marks: uint8.
+        numbers: the state's row (`row.Row`): float64.
+        indices: int64.
+        marks: uint8.
+    """
+
+    fixed_numbers: Array
+    fixed_indices: Indices
+    fixed_marks: Mask
+    numbers: Array
+    indices: Indices
+    marks: Mask
 
 
 class Motion(NamedTuple):
@@ -70,6 +91,10 @@ MARKS = ("near", "active", "counts", "monitored_before", "frames_touching", "ess
 """Parts of its uint8."""
 
 
+FIXED, ROW, TABLES = 0, 3, 6
+"""Number of the first table of the constants and of the row, and the number of tables: of float64, int64 and uint8."""
+
+
 class Tables(NamedTuple):
     """Tables of the row's flat arrays."""
 
@@ -93,24 +118,40 @@ def tables_of(layout: Layout, joints: int, singularities: int, payloads: int) ->
 
 
 @law
-def motion_of(numbers: Array, indices: Indices, tables: Tables) -> Motion:
+def lent(
+    fixed_numbers: Array, fixed_indices: Indices, fixed_marks: Mask, numbers: Array, indices: Indices, marks: Mask
+) -> Flat:
+    """Return the flat arrays without counts of references: they have to live until the calling law returns."""
+    return Flat(lend(fixed_numbers), lend(fixed_indices), lend(fixed_marks), lend(numbers), lend(indices), lend(marks))
+
+
+@law
+def table(fixed_indices: Indices, which: int) -> Indices:
+    """Return one of the tables in the constants' indices, which begin with the tables' places (`world.packed`)."""
+    begin = fixed_indices[which]
+    return lend_block(fixed_indices, begin, (fixed_indices[which + 1] - begin) // 3, 3)
+
+
+@law
+def motion_of(flat: Flat) -> Motion:
     """Return the joints, bodies and frames of a row."""
-    own = tables.numbers
+    numbers, own, whole = flat.numbers, table(flat.fixed_indices, ROW), table(flat.fixed_indices, ROW + 1)
     return Motion(
         line(numbers, own, 0), line(numbers, own, 1), line(numbers, own, 2), line(numbers, own, 3),
         line(numbers, own, 4), line(numbers, own, 5), line(numbers, own, 6), block(numbers, own, 7),
         block(numbers, own, 8), block(numbers, own, 9), block(numbers, own, 10), line(numbers, own, 11),
-        line(numbers, own, 12), line(numbers, own, 13), line(numbers, own, 14), line(indices, tables.indices, 0),
+        line(numbers, own, 12), line(numbers, own, 13), line(numbers, own, 14), line(flat.indices, whole, 0),
     )  # fmt: skip
 
 
 @law
-def watch_of(numbers: Array, indices: Indices, marks: Mask, tables: Tables) -> Watch:
+def watch_of(flat: Flat) -> Watch:
     """Return the clearances and contacts of a row."""
-    own, flags = tables.numbers, tables.marks
+    numbers, own, whole = flat.numbers, table(flat.fixed_indices, ROW), table(flat.fixed_indices, ROW + 1)
+    marks, flags = flat.marks, table(flat.fixed_indices, ROW + 2)
     return Watch(
         block(numbers, own, 15), block(numbers, own, 16), line(numbers, own, 17), block(numbers, own, 18),
-        block(numbers, own, 19), line(indices, tables.indices, 1), line(marks, flags, 0), line(marks, flags, 1),
+        block(numbers, own, 19), line(flat.indices, whole, 1), line(marks, flags, 0), line(marks, flags, 1),
         line(marks, flags, 2), line(marks, flags, 3), line(marks, flags, 4), line(marks, flags, 5),
         line(marks, flags, 6), line(marks, flags, 7),
     )  # fmt: skip

@@ -53,11 +53,9 @@ ARM, FINGER = 25, 26
 """1 if a contact inhibits the arm; 1 if one inhibits the prong."""
 LEAST = 27
 """Lower bound of the measured clearances [m]."""
-BERTHS = 28
-"""1 if something may now be captured, fixed or released."""
-LIMITS = 29
+LIMITS = 28
 """1 if a joint is past its reach limit or a singularity is near."""
-SCALARS = 30
+SCALARS = 29
 
 # constants of a run
 PERIOD = 0

@@ -12,8 +12,9 @@ from aftdeck.arrays import Array, Indices, Mask
 from aftdeck.bodies.pose import POSE
 from aftdeck.flat import block, flattened, line, table_of
 from aftdeck.law import law
+from aftdeck.lent import lend_line
 from aftdeck.simulation.row import scalars
-from aftdeck.simulation.row.now import Tables, tables_of
+from aftdeck.simulation.row.now import FIXED, TABLES, Flat, table, tables_of
 from aftdeck.worksite.berths.berth import Fit
 from aftdeck.worksite.berths.port import PortFit
 from aftdeck.worksite.capture.bar import HEXES, Bar
@@ -96,12 +97,14 @@ probe's face [m]; greatest distance [m] and angle [rad] at which the port docks 
 PORT_SIZE = 38
 ROUNDING = 1e-9
 """Added to a limit below which a measured length is never rejected [m]: more than a rounding error."""
-_NUMBERS, _INDICES, _TABLES = 13, 10, 6
-"""Number of fields of `World` that are float64 and int64; number of tables at the beginning of the indices."""
+_NUMBERS, _INDICES = 13, 10
+"""Number of fields of `World` that are float64 and int64."""
 
 
 class Packed(NamedTuple):
-    """Constants of a run in flat arrays, which cannot be written. The indices begin with the tables.
+    """Constants of a run in flat arrays, which cannot be written.
+
+    The indices begin with the places of the tables in the indices, and with the tables.
 
     Attributes:
         numbers: float64.
@@ -126,8 +129,8 @@ def packed(flight: Flight) -> Packed:
     model, site = flight.scenario.arm.model, flight.site
     tables = tables_of(site.layout, len(site.arm.joints), len(model.singularities), len(site.payloads))
     all_tables = (*own, *tables)
-    head = np.array([len(table) for table in all_tables], np.int64)
-    indices = [head, *all_tables, *groups[1]]
+    places = TABLES + 1 + np.cumsum([0, *(one.size for one in all_tables)], dtype=np.int64)
+    indices = [places, *all_tables, *groups[1]]
     return Packed(flattened(groups[0], np.float64), flattened(indices, np.int64), flattened(groups[2], np.uint8))
 
 
@@ -207,34 +210,18 @@ def _fixtures(snares: Snares) -> Array:
 
 
 @law
-def _table(indices: Indices, which: int) -> Indices:
-    """Return one of the tables at the beginning of the constants' indices."""
-    begin = _TABLES
-    for t in range(which):
-        begin += 3 * indices[t]
-    return indices[begin : begin + 3 * indices[which]].reshape(indices[which], 3)
-
-
-@law
-def _after_tables(indices: Indices) -> Indices:
+def _rest(fixed_indices: Indices) -> Indices:
     """Return the constants' indices after the tables."""
-    begin = _TABLES
-    for t in range(_TABLES):
-        begin += 3 * indices[t]
-    return indices[begin:]
+    begin = fixed_indices[TABLES]
+    return lend_line(fixed_indices, begin, len(fixed_indices) - begin)
 
 
 @law
-def row_tables(indices: Indices) -> Tables:
-    """Return the tables of the row from the constants' indices."""
-    return Tables(_table(indices, 3), _table(indices, 4), _table(indices, 5))
-
-
-@law
-def world_of(numbers: Array, indices: Indices, marks: Mask) -> World:
-    """Return the constants of arm and worksite from the flat arrays."""
-    own, whole, flags = _table(indices, 0), _table(indices, 1), _table(indices, 2)
-    rest = _after_tables(indices)
+def world_of(flat: Flat) -> World:
+    """Return the constants of arm and worksite."""
+    numbers, marks, rest = flat.fixed_numbers, flat.fixed_marks, _rest(flat.fixed_indices)
+    own, whole = table(flat.fixed_indices, FIXED), table(flat.fixed_indices, FIXED + 1)
+    flags = table(flat.fixed_indices, FIXED + 2)
     return World(
         line(numbers, own, 0), block(numbers, own, 1), line(numbers, own, 2), block(numbers, own, 3),
         block(numbers, own, 4), block(numbers, own, 5), block(numbers, own, 6), line(numbers, own, 7),
@@ -248,9 +235,10 @@ def world_of(numbers: Array, indices: Indices, marks: Mask) -> World:
 
 
 @law
-def pairs_of(numbers: Array, indices: Indices) -> PackedLayout:
-    """Return the monitored pairs from the flat arrays."""
-    own, whole, rest = _table(indices, 0), _table(indices, 1), _after_tables(indices)
+def pairs_of(flat: Flat) -> PackedLayout:
+    """Return the monitored pairs."""
+    numbers, rest = flat.fixed_numbers, _rest(flat.fixed_indices)
+    own, whole = table(flat.fixed_indices, FIXED), table(flat.fixed_indices, FIXED + 1)
     return PackedLayout(
         block(numbers, own, _NUMBERS), line(rest, whole, _INDICES), block(rest, whole, _INDICES + 1),
         line(rest, whole, _INDICES + 2), block(rest, whole, _INDICES + 3), line(numbers, own, _NUMBERS + 1),
