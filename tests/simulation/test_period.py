@@ -22,9 +22,9 @@ STEPS = 700
 """Number of steps of each run."""
 
 
-def in_python(flight: Flight, state: State, inputs: Inputs, *, observes: bool) -> int:
+def in_python(flight: Flight, state: State, inputs: Inputs, *, observes: bool, most: int = 1) -> int:
     """Steer in place of `quick_step`: all the rest of the step is then made in Python."""
-    del flight, inputs, observes
+    del flight, inputs, observes, most
     fly._steer(state)
     return STEERED
 
@@ -56,11 +56,24 @@ def test_most_steps_are_compiled_as_a_whole(name: str, monkeypatch: pytest.Monke
     reached: Counter[int] = Counter()
     own = quick_step
 
-    def counted(flight: Flight, state: State, inputs: Inputs, *, observes: bool) -> int:
-        found = own(flight, state, inputs, observes=observes)
+    def counted(flight: Flight, state: State, inputs: Inputs, *, observes: bool, most: int = 1) -> int:
+        found = own(flight, state, inputs, observes=observes, most=most)
         reached[found] += observes
         return found
 
     monkeypatch.setattr(fly, "quick_step", counted)
     digests(name, None if load_scenario(name).phases else 1, 2000)
     assert reached[COUNTED] + reached[ATTACHED] > 0.5 * reached.total(), reached
+
+
+@pytest.mark.parametrize("name", built_in())
+@pytest.mark.parametrize("seed", [1, 2])
+def test_held_inputs_are_as_many_steps(name: str, seed: int) -> None:
+    random = np.random.default_rng(seed)
+    one, many = Simulation(name), Simulation(name)
+    for inputs in random_inputs(random, STEPS // 4):
+        steps = int(random.integers(1, 9))
+        for _ in range(steps):
+            one.advance(inputs)
+        many.hold(inputs, steps)
+        assert one.seal() == many.seal() and one.look() == many.look()

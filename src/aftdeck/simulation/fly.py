@@ -29,7 +29,7 @@ def fly(flight: Flight, state: State, log: Log, inputs: Inputs) -> None:
     go(flight, state, log, inputs, observes=False)
 
 
-def go(flight: Flight, state: State, log: Log, inputs: Inputs, *, observes: bool) -> int:
+def go(flight: Flight, state: State, log: Log, inputs: Inputs, *, observes: bool, most: int = 1) -> int:
     """Steer, limit the motion to what contacts and berths allow, and move the plant and the worksite.
 
     Args:
@@ -39,15 +39,17 @@ def go(flight: Flight, state: State, log: Log, inputs: Inputs, *, observes: bool
         inputs: the operator's inputs; only those for telescope, orbiter, end effector and latches are used here. The
             sticks and the selected mode are in `state.command`.
         observes: as for `period.period.advance`.
+        most: as for `quick_step`; 1 on a plant with masses.
 
     Returns:
-        How far compiled code has made the step (`period.period.advance`).
+        How far compiled code has made the last step (`period.period.advance`).
     """
     if state.panel.sequence != "in progress":
         state.command[MOTION_ACTIVE] = 0.0
     hold_position(flight.plant, state)
     if state.plant.bodies is None:
-        reached = quick_step(flight, state, inputs, observes=observes)
+        reached = quick_step(flight, state, inputs, observes=observes, most=most)
+        log = log if most == 1 else state.log(flight.scenario.control_period)
     else:
         reached = STEERED
         _steer(state)

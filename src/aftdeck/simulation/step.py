@@ -9,6 +9,7 @@ from aftdeck.simulation.fly import go
 from aftdeck.simulation.inputs import Inputs
 from aftdeck.simulation.observe.arm_events import log_arm_events
 from aftdeck.simulation.operator.command_delay import delayed
+from aftdeck.simulation.operator.held import acts_once
 from aftdeck.simulation.operator.panel import operate
 from aftdeck.simulation.operator.script import end_if_time_is_up, hand_over, phase_name, play
 from aftdeck.simulation.payloads.alignment import count
@@ -16,14 +17,18 @@ from aftdeck.simulation.period.period import COUNTED
 from aftdeck.simulation.state import State
 
 
-def step(flight: Flight, state: State, inputs: Inputs | None) -> Inputs:
+def step(flight: Flight, state: State, inputs: Inputs | None, most: int = 1) -> Inputs:
     """Advance `state` by one control period; `simulation.observe.look` then returns the frame of this step.
+
+    Several periods with the same inputs are one call, if nothing happens in them but motion: the state is then as after
+    as many calls.
 
     Args:
         flight: constants of the run.
         state: everything that the step depends on; changed in place.
         inputs: the operator's sticks and switches; if None, the scenario's script supplies them. Changes in flight are
             in `flight` already.
+        most: greatest number of control periods; `state.tick` tells how many there were.
 
     Returns:
         The inputs that acted: the script's, or the operator's after the command delay.
@@ -48,7 +53,10 @@ def step(flight: Flight, state: State, inputs: Inputs | None) -> Inputs:
     check(flight, state, log)
 
     # steering commands the joint rates; contacts and berths limit these rates; the plant and the worksite move
-    reached = go(flight, state, log, inputs, observes=True)
+    if most > 1 and not acts_once(state, inputs):
+        most = 1
+    reached = go(flight, state, log, inputs, observes=True, most=most)
+    log = state.log(flight.scenario.control_period)
     if inputs.camera is not None:
         state.views = flight.cameras.driven(state.views, inputs.camera, flight.scenario.control_period)
         state.panel.camera = inputs.camera.camera

@@ -152,12 +152,10 @@ class MissionEnv(ShownEnv):
             raise InputError("step: got a call before the first reset, expected reset() first")
         values = checked(clipped(action) if self._clips else action, self.mission.controls)
         inputs = inputs_of(self.mission, values)
-        for _ in range(self._repeats):
-            self._sim.advance(inputs)
-            if self.station is not None:
-                self.station.step(inputs)
-            if self.stepped is not None:
-                self.stepped(self._sim)
+        if self.station is None and self.stepped is None:
+            self._sim.hold(inputs, self._repeats)
+        else:
+            self._each(inputs)
         frame = self._sim.look()
         before, self._left = self._left, self._aims.remaining(frame, self._step)
         contact = _detrimental(frame)
@@ -166,6 +164,15 @@ class MissionEnv(ShownEnv):
         reward = _reward(before, self._left, contact, success)
         over = success or (contact and self.mission.contact_ends)
         return self._observer.of(frame, self._left), reward, over, False, {"is_success": success}
+
+    def _each(self, inputs: Inputs) -> None:
+        """Make the control steps of a step, and show each of them."""
+        for _ in range(self._repeats):
+            self._sim.advance(inputs)
+            if self.station is not None:
+                self.station.step(inputs)
+            if self.stepped is not None:
+                self.stepped(self._sim)
 
     def _picture(self) -> Pixels:
         assert self._pictures is not None, "the mode is rgb_array"

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass, replace
 from functools import cached_property
+from typing import get_args
 
 from aftdeck.arrays import Array
 from aftdeck.plant.linear_actuator import Travel, travel_of_prong, travel_of_stand
@@ -13,6 +14,7 @@ from aftdeck.simulation.camera_drives import Cameras
 from aftdeck.simulation.constants.plant import kinematic_plant, plant_of
 from aftdeck.simulation.constants.site import Site, site_of
 from aftdeck.simulation.row.world import Packed, packed
+from aftdeck.worksite.watch.alarm import Level, unchanged_between
 
 Pair = tuple[float, float]
 
@@ -55,6 +57,12 @@ class Flight:
     def inhibits(self) -> bool:
         """Whether a detrimental contact inhibits motion: without contact forces, or if the scenario asks for it."""
         return self.scenario.inhibit or not self.plant.has_contact_forces
+
+    @cached_property
+    def same_level(self) -> dict[Level, tuple[float, float]]:
+        """Limits of the clearances after which each alarm level remains as it is [m]."""
+        caution, warning = self.scenario.caution, self.scenario.warning
+        return {level: unchanged_between(level, caution, warning) for level in get_args(Level)}
 
     @cached_property
     def packed(self) -> Packed:

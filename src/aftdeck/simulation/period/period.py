@@ -1,4 +1,4 @@
-"""A control period on the kinematic plant, as far as compiled code can take it."""
+"""Control periods on the kinematic plant, as far as compiled code can take them."""
 
 from __future__ import annotations
 
@@ -13,11 +13,26 @@ from aftdeck.simulation.period.contact import judged, seen
 from aftdeck.simulation.period.drive import driven
 from aftdeck.simulation.period.observe import counted, observed
 from aftdeck.simulation.period.steer import steered
-from aftdeck.simulation.row.now import Flat, lent, motion_of
-from aftdeck.simulation.row.scalars import STAND_VELOCITY
+from aftdeck.simulation.row.now import Flat, lent, motion_of, watch_of
+from aftdeck.simulation.row.scalars import (
+    ARM,
+    CHANGED,
+    FINGER,
+    GREATEST_SAME,
+    LEAST_SAME,
+    LIMITS,
+    MADE,
+    NEAREST,
+    STAND_VELOCITY,
+    TASK,
+    TELESCOPE,
+)
+from aftdeck.worksite.watch.found import CLEARANCE
 
 STEERED, DRIVEN, SEEN, JUDGED, ATTACHED, COUNTED = range(6)
 """How far a control period has come: see `advance`."""
+FARTHEST = 1e300
+"""Minimum clearance if no pair counts [m]."""
 
 
 @law
@@ -32,8 +47,9 @@ def advance(
     resting: Array,
     links: Array,
     observes: bool,
+    most: int,
 ) -> int:
-    """Make a control step after the operator's commands, until something happens that is not compiled.
+    """Make control steps after the operator's commands, until something happens that is not compiled or has to be told.
 
     Args:
         fixed_numbers: constants of the run and row of the state (`row.now.Flat`).
@@ -46,23 +62,55 @@ def advance(
         resting: rules that replace `rules` while no automatic motion is in progress.
         links: the arm's links with its shoulder at the present height.
         observes: whether to mark the pairs that count for CLEARANCE and to observe the arm; a rehearsal does neither.
+        most: greatest number of steps, all with the same commands; `MADE` is the number that were made.
 
     Returns:
-        `STEERED`: contacts or walls may limit the commanded motion. `DRIVEN`: the arm has moved, but the orbiter
-        translates, or something may touch a floating payload or the prong. `SEEN`: contacts are counted, but a pair of
-        the task is in contact. `JUDGED`: something may be captured, fixed or released. `ATTACHED`: a payload may be
-        aligned, or the telescope has moved the arm. `COUNTED`: the step is complete.
+        How far the last step has come. `STEERED`: contacts or walls may limit the commanded motion. `DRIVEN`: the arm
+        has moved, but the orbiter translates, or something may touch a floating payload or the prong. `SEEN`: contacts
+        are counted, but a pair of the task is in contact. `JUDGED`: something may be captured, fixed or released.
+        `ATTACHED`: a payload may be aligned, or the telescope has moved the arm. `COUNTED`: the step is complete.
     """
     flat = lent(fixed_numbers, fixed_indices, fixed_marks, numbers, indices, marks)
-    reached = moved(flat, lend(rules), lend(resting))
+    rules, resting, links = lend(rules), lend(resting), lend(links)
+    v, found, reached = motion_of(flat).scalars, watch_of(flat).found, COUNTED
+    telescope, task, made = v[TELESCOPE], v[TASK], 0
+    while made < most and reached == COUNTED:
+        v[TELESCOPE] = telescope
+        reached = complete(flat, rules, resting, links, observes)
+        made += 1
+        if reached == COUNTED and tells(v, found, task):
+            break
+    v[MADE] = made
+    return reached
+
+
+@law
+def complete(flat: Flat, rules: Array, resting: Array, links: Array, observes: bool) -> int:
+    """Make a control step, as far as compiled code can; the arguments and the result are those of `advance`."""
+    reached = moved(flat, rules, resting)
     if reached < SEEN:
         return reached
     seen(flat, np.empty((0, POSE)))
     reached = settled(flat)
     if reached < ATTACHED or not observes or motion_of(flat).scalars[STAND_VELOCITY] != 0.0 or not counted(flat):
         return reached
-    observed(flat, lend(links))
+    observed(flat, links)
     return COUNTED
+
+
+@law
+def tells(v: Array, found: Array, task: float) -> bool:
+    """Return whether a complete step has changed something that the log or the panel tells.
+
+    Args:
+        v: the row's scalars.
+        found: `Watch.found`.
+        task: the report's mode before the step.
+    """
+    if v[CHANGED] != 0.0 or v[ARM] != 0.0 or v[FINGER] != 0.0 or v[LIMITS] != 0.0 or v[TASK] != task:
+        return True
+    clearance = found[int(v[NEAREST]), CLEARANCE] if v[NEAREST] >= 0.0 else FARTHEST
+    return bool(clearance < v[LEAST_SAME] or clearance >= v[GREATEST_SAME])
 
 
 @law

@@ -16,6 +16,7 @@ from aftdeck.simulation.row.scalars import (
     FLOATS,
     HALT,
     LEAST,
+    MADE,
     MOTION_AT,
     NEAREST,
     POSE_AT,
@@ -38,17 +39,18 @@ _HALTS: tuple[Halt, ...] = ("", "seat", "switch")
 """What stopped the arm, by the number in `HALT`."""
 
 
-def quick_step(flight: Flight, state: State, inputs: Inputs, *, observes: bool) -> int:
-    """Make a control step of the kinematic plant after the operator's commands, as far as compiled code can.
+def quick_step(flight: Flight, state: State, inputs: Inputs, *, observes: bool, most: int = 1) -> int:
+    """Make control steps of the kinematic plant after the operator's commands, as far as compiled code can.
 
     Args:
         flight: constants of the run.
         state: changed in place; holds the command that the panel has set.
         inputs: the operator's inputs.
         observes: as for `advance`.
+        most: greatest number of steps; `state.tick` is that of the first, and is then that of the last.
 
     Returns:
-        How far the step has come, as `period.period.advance` returns it.
+        How far the last step has come, as `period.period.advance` returns it.
     """
     give(flight, state, inputs)
     reached = advance(
@@ -57,8 +59,10 @@ def quick_step(flight: Flight, state: State, inputs: Inputs, *, observes: bool) 
         *state.both_rules(),
         state.arm.model.links,
         observes,
+        most,
     )
     take(state, reached)
+    state.tick += int(state.row.values[MADE]) - 1
     return reached
 
 
@@ -128,6 +132,7 @@ def give(flight: Flight, state: State, inputs: Inputs) -> None:
         works,
         worksite.task,
         worksite.nearest,
+        *flight.same_level[panel.clearance],
     )
     floats = worksite.floating.count(None) < len(worksite.floating)
     if floats or state.row.floats:

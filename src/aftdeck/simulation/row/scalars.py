@@ -39,23 +39,27 @@ TASK = 19
 """The report's mode, 1 to 4; replaced by the mode after the step, if nothing is captured or fixed in it."""
 NEAREST = 20
 """Pair with the minimum clearance; -1 if none counts. Replaced by that after the step."""
-GIVEN = 21
+LEAST_SAME, GREATEST_SAME = 21, 22
+"""Minimum clearances from the first to below the second do not change the alarm level [m]."""
+GIVEN = 23
 """Number of the values above, which are set before a step."""
 
 # of a step, after it
-HALT = 21
+HALT = 23
 """What blocked the commanded motion: 0 nothing, 1 a berth, 2 a switch."""
-BEGAN = 22
+BEGAN = 24
 """1 if an automatic motion began in this step."""
-TOUCHING, CHANGED = 23, 24
+TOUCHING, CHANGED = 25, 26
 """1 if a pair is in contact; 1 if a contact began, ended or reached its second step."""
-ARM, FINGER = 25, 26
+ARM, FINGER = 27, 28
 """1 if a contact inhibits the arm; 1 if one inhibits the prong."""
-LEAST = 27
+LEAST = 29
 """Lower bound of the measured clearances [m]."""
-LIMITS = 28
+LIMITS = 30
 """1 if a joint is past its reach limit or a singularity is near."""
-SCALARS = 29
+MADE = 31
+"""Number of control steps that were made."""
+SCALARS = 32
 
 # constants of a run
 PERIOD = 0

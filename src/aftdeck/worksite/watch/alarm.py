@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from math import inf
 from typing import Literal
 
 Level = Literal["info", "caution", "warning"]
@@ -11,6 +12,20 @@ CLEAR: Level = "info"
 HYSTERESIS = 0.03
 """Fraction of a threshold [1] (assumed). An alarm level ends only when the clearance exceeds the level's threshold by
 this fraction. Otherwise a lamp could flicker."""
+
+
+def unchanged_between(level: Level, caution: float, warning: float) -> tuple[float, float]:
+    """Return the limits of the clearances after which a level remains as it is: from the first to below the second [m].
+
+    The arguments are those of `level_of`.
+    """
+    match level:
+        case "warning":
+            return -inf, warning * (1.0 + HYSTERESIS)
+        case "caution":
+            return warning, caution * (1.0 + HYSTERESIS)
+        case "info":
+            return caution, inf
 
 
 def level_of(clearance: float, caution: float, warning: float, before: Level = CLEAR) -> Level:
