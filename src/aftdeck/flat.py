@@ -45,10 +45,11 @@ def parts(flat: NDArray[Any], table: Indices) -> list[NDArray[Any]]:
 
 
 def flattened(arrays: Sequence[NDArray[Any]], kind: type) -> NDArray[Any]:
-    """Return a flat array that cannot be written, with the elements of arrays of the same kind of number."""
+    """Return a view that cannot be written of a flat array with the elements of arrays of the same kind of number."""
     flat = np.concatenate([np.zeros(0, kind), *(np.asarray(array, kind).ravel() for array in arrays)])
-    flat.flags.writeable = False
-    return flat
+    view = flat.view()
+    view.flags.writeable = False
+    return view
 
 
 @law

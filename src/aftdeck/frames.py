@@ -19,6 +19,7 @@ import numpy as np
 
 from aftdeck.arrays import Array
 from aftdeck.elementary import atan2, sincos
+from aftdeck.law import elementary_law
 from aftdeck.matrices import length, product
 from aftdeck.quaternions import unit_quaternion
 from aftdeck.tuples import Rows
@@ -116,6 +117,12 @@ def oriend(rotation: Array) -> tuple[float, float, float]:
 def oriend_rows(rows: Rows) -> tuple[float, float, float]:
     """Return the angles of `oriend` for an orientation that is given as the rows of its rotation matrix."""
     (a, b, _), (d, e, _), (g, h, i) = rows
+    return oriend_elements(a, b, d, e, g, h, i)
+
+
+@elementary_law
+def oriend_elements(a: float, b: float, d: float, e: float, g: float, h: float, i: float) -> tuple[float, float, float]:
+    """Return the angles of `oriend` for a rotation matrix with the rows (a, b, _), (d, e, _) and (g, h, i)."""
     cosine = math.sqrt(a * a + d * d)
     elevation = atan2(-g, cosine)
     if cosine < _GIMBAL:

@@ -14,7 +14,8 @@ from aftdeck import Inputs
 from aftdeck.arrays import Array
 from aftdeck.simulation.constants.site import all_solids
 from aftdeck.simulation.frame import Frame
-from aftdeck.simulation.payloads.alignment import ASIDE, STEP, TILTED, alarm_pairs, clearances_on_way
+from aftdeck.simulation.payloads.alignment import ASIDE, TILTED, alarm_pairs
+from aftdeck.simulation.row.on_way import STEP, clearances_on_way
 from aftdeck.simulation.run import SavedSimulation, Simulation
 from aftdeck.tuples import Vec3
 from aftdeck.worksite.watch.clearance_monitor import ClearanceMonitor
@@ -94,7 +95,8 @@ def counted(side: float = 0.0, tilt: float = 0.0) -> tuple[Array, Array, Array]:
     frames[row, 3:] = (rotation @ np.array([[1, 0, 0], [0, c, -s], [0, s, c]])).ravel()
     watch = ClearanceMonitor(site.layout)
     watch.update(frames, frames, 1.0)
-    counts, _ = alarm_pairs(site, 0, watch, frames, None, -1, worksite.contacts, worksite.permitted)
+    worksite.nearest, worksite.aligned_with = -1, None
+    counts, _ = alarm_pairs(sim._flight, sim._state, watch, frames, worksite.permitted)
     pairs = site.seated[0, fit.berth.name] != 0
     return pairs & (counts != 0), pairs & (counts == 0), watch.found[:, CLEARANCE]
 

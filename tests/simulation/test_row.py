@@ -10,7 +10,7 @@ import pytest
 from aftdeck.scenario.load import built_in
 from aftdeck.simulation.constants.flight import Flight
 from aftdeck.simulation.row.now import INDICES, MARKS, NUMBERS, Flat, Motion, Watch, motion_of, watch_of
-from aftdeck.simulation.row.world import _world, pairs_of, world_of
+from aftdeck.simulation.row.world import pairs_of, world_arrays, world_of
 from aftdeck.simulation.run import Simulation
 from aftdeck.simulation.state import State
 from aftdeck.state_part import encoded
@@ -63,7 +63,7 @@ def vars_of(owner: object) -> dict[str, object]:
 def test_laws_receive_the_constants_of_a_run(name: str) -> None:
     flight, state = flown(name)
     flat = Flat(*flight.packed, *state.row.packed)
-    world, pairs = _world(flight), flight.site.layout.packed
+    world, pairs = world_arrays(flight), flight.site.layout.packed
     given: tuple[np.ndarray, ...] = (*world, *pairs)
     got: tuple[np.ndarray, ...] = (*world_of(flat), *pairs_of(flat))
     for name_of, array, expected in zip((*world._fields, *pairs._fields), got, given, strict=True):

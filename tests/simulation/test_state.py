@@ -190,7 +190,7 @@ def forget_everything(sim: aftdeck.Simulation, lost: set[str]) -> None:
     if state.checking is not None:
         state.checking.rehearsal = Rehearsed()
     state.carried = carried_by(flown.scenario, flown.site, state.worksite, state.script)
-    restore_clearances(flown, state.worksite)
+    restore_clearances(flown, state)
 
 
 @pytest.mark.parametrize(

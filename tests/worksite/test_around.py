@@ -66,16 +66,7 @@ def test_step_equals_its_separate_contact_updates(name: str) -> None:
     period = sim.scenario.control_period
     for inputs in random_inputs(np.random.default_rng(11), 60):
         worksite = state.worksite
-        counts = alarm_pairs(
-            sim._flight.site,
-            worksite.held,
-            worksite.watch,
-            worksite.frames,
-            worksite.aligned_with,
-            worksite.nearest,
-            worksite.contacts,
-            worksite.permitted,
-        )[0]
+        counts = alarm_pairs(sim._flight, state, worksite.watch, worksite.frames, worksite.permitted)[0]
         watch, count = state.worksite.watch.copied(), state.worksite.contacts.count.copy()
         sim.advance(inputs)
         if not np.array_equal(watch.active, worksite.watch.active):

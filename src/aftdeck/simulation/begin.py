@@ -159,6 +159,6 @@ def _set_to_start(flight: Flight, state: State, start: Start) -> None:
     worksite.watch.update(frames, frames, scenario.control_period)
     worksite.permitted[:] = permitted(site, worksite.watch, frames)
     worksite.contacts.update(worksite.watch.found, worksite.watch.near, site.by_prong, worksite.task)
-    count(site, worksite, flight.within)
+    count(flight, state)
     worksite.nearest = worksite.watch.nearest(worksite.watch.counts)
     change_task(worksite, task_of(site, worksite), state.log(scenario.control_period))

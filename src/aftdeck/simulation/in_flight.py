@@ -208,7 +208,7 @@ def _place(flight: Flight, state: State, k: int) -> None:
     row = site.payload_rows[k]
     worksite.frames[row] = frames_with_prong_at(site, worksite, state.plant, worksite.prong.position)[row]
     worksite.before[row] = worksite.frames[row]
-    restore_clearances(flight, worksite)
+    restore_clearances(flight, state)
 
 
 def resumed(base: Flight, saved: bytes, *, gauged: bool) -> Resumed:

@@ -11,7 +11,6 @@ from aftdeck.simulation.constants.flight import Flight
 from aftdeck.simulation.parts.carried import SteeringSetup
 from aftdeck.simulation.parts.checking import Rehearsed
 from aftdeck.simulation.parts.standing import Standing
-from aftdeck.simulation.parts.worksite_state import WorksiteState
 from aftdeck.simulation.payloads.alignment import count
 from aftdeck.simulation.payloads.grasp import carried_by
 from aftdeck.simulation.state import State, new_state
@@ -37,12 +36,13 @@ def resume(flight: Flight, saved: bytes) -> State:
     flight.plant.begin(like.plant, 0, np.tile(HERE, (payloads, 1)), np.zeros((payloads, 6)), 0.0)
     state = decoded(like, saved, lambda kind: empty[kind]())
     state.carried = carried_by(flight.scenario, flight.site, state.worksite, state.script)
-    restore_clearances(flight, state.worksite)
+    restore_clearances(flight, state)
     return state
 
 
-def restore_clearances(flight: Flight, worksite: WorksiteState) -> None:
+def restore_clearances(flight: Flight, state: State) -> None:
     """Measure the clearances of the last step again, starting with an empty cache."""
+    worksite = state.worksite
     watch, nearest = worksite.watch, np.zeros_like(worksite.monitored_before)
     if worksite.nearest >= 0:
         nearest[worksite.nearest] = 1
@@ -50,4 +50,4 @@ def restore_clearances(flight: Flight, worksite: WorksiteState) -> None:
     watch.active[:] = worksite.monitored_before
     watch.look_near(worksite.before, worksite.frames, flight.scenario.control_period, nearest, flight.within)
     worksite.select_monitored(flight.site)
-    count(flight.site, worksite, flight.within)
+    count(flight, state)

@@ -13,7 +13,7 @@ from aftdeck.simulation.operator.held import acts_once
 from aftdeck.simulation.operator.panel import operate
 from aftdeck.simulation.operator.script import end_if_time_is_up, hand_over, phase_name, play
 from aftdeck.simulation.payloads.alignment import count
-from aftdeck.simulation.period.period import COUNTED
+from aftdeck.simulation.period.period import COUNTED, OBSERVED
 from aftdeck.simulation.state import State
 
 
@@ -63,10 +63,10 @@ def step(flight: Flight, state: State, inputs: Inputs | None, most: int = 1) -> 
 
     # select the pairs that count for the minimum clearance of the next step
     if reached < COUNTED:
-        count(flight.site, state.worksite, flight.within)
+        count(flight, state)
 
     # log the events of the arm; end a script whose time is up
-    log_arm_events(flight, state, log, observed=reached == COUNTED)
+    log_arm_events(flight, state, log, observed=reached == OBSERVED)
     if state.by_script:
         end_if_time_is_up(flight, state)
     return inputs

@@ -4,8 +4,6 @@ from __future__ import annotations
 
 import contextlib
 
-import numpy as np
-
 from aftdeck.errors import AftdeckError
 from aftdeck.frames import quaternion_of_rows
 from aftdeck.scenario.model import Scenario
@@ -21,7 +19,7 @@ from aftdeck.simulation.observe.look import frame_of
 from aftdeck.simulation.observe.look_ahead import MOST_S, look_ahead
 from aftdeck.simulation.payloads.alignment import count
 from aftdeck.simulation.payloads.fixing import conditions_at
-from aftdeck.simulation.payloads.grasp import NEAR, attach, carried_by, empty_grasp, start_free_flight
+from aftdeck.simulation.payloads.grasp import attach, carried_by, empty_grasp, start_free_flight
 from aftdeck.simulation.payloads.objective import present_objective
 from aftdeck.simulation.payloads.sliding import slide_along
 from aftdeck.simulation.payloads.task_phases import change_task, task_of
@@ -80,11 +78,6 @@ def _carry(flight: Flight, state: State) -> None:
     slide_along(flight, state, 0.0, 0)
     for fit in site.fits[0]:
         conditions_at(site, worksite, 0, fit)
-        fit.on_way(worksite.frames, site.payload_rows[0])
-        if fit.relation is not None:
-            fit.is_aligned(worksite.frames, site.payload_rows[0], 0.0, NEAR, 0.0)
-    counts = site.detrimental.copy()
-    worksite.watch.except_far(site.detrimental, np.zeros(len(counts)), counts)
     empty_grasp(site, worksite, state.panel, log, 0)
     state.carried = carried_by(flight.scenario, flight.site, state.worksite, state.script)
     start_free_flight(flight, worksite, state.plant, 0, from_space=False)
@@ -96,5 +89,5 @@ def _rest_of_step(flight: Flight, state: State) -> None:
     """Make the part of a step that follows the steering, as far as Python can make it."""
     log = state.log(flight.scenario.control_period)
     complete(flight, state, log, Inputs(), STEERED)
-    count(flight.site, state.worksite, flight.within)
+    count(flight, state)
     log_arm_events(flight, state, log, observed=False)

@@ -13,7 +13,7 @@ from aftdeck.scenario.model import Scenario
 from aftdeck.simulation.camera_drives import Cameras
 from aftdeck.simulation.constants.plant import kinematic_plant, plant_of
 from aftdeck.simulation.constants.site import Site, site_of
-from aftdeck.simulation.row.world import Packed, packed
+from aftdeck.simulation.row.constants import Packed, packed
 from aftdeck.worksite.watch.alarm import Level, unchanged_between
 
 Pair = tuple[float, float]

@@ -103,10 +103,7 @@ def look_ahead(flight: Flight, state: State, seconds: float, last: Axis | None =
     rules, report = state.rules, np.zeros(REPORT)
     site, worksite, stand, travel = flight.site, state.worksite, state.plant.stand, flight.telescope
     driven = stand.velocity / travel.rate if travel.rate else 0.0
-    outside = alarm_pairs(
-        site, worksite.held, worksite.watch, worksite.frames, worksite.aligned_with, worksite.nearest,
-        worksite.contacts, worksite.permitted,
-    )[0]  # fmt: skip
+    outside = alarm_pairs(flight, state, worksite.watch, worksite.frames, worksite.permitted)[0]
     port = [meeting.group for meeting in site.meetings if meeting.relation == "docking" and not outside[meeting.group]]
     joints = len(state.plant.angles)
     watch, height, contact, docked, period = worksite.watch.copied(), stand.position, None, False, seconds / SAMPLES
@@ -124,9 +121,7 @@ def look_ahead(flight: Flight, state: State, seconds: float, last: Axis | None =
         touching = watch.nearest(site.detrimental | (outside & (1 - may)))
         if contact is None and not docked and touching >= 0 and watch.found[touching, CLEARANCE] <= CONTACT:
             contact = sample * period
-    counts = alarm_pairs(
-        site, worksite.held, watch, frames, worksite.aligned_with, worksite.nearest, worksite.contacts, may
-    )[0]
+    counts = alarm_pairs(flight, state, watch, frames, may)[0]
     watch.look_near(frames, frames, period, counts, 0.0)
     group = watch.nearest(counts)
     predicted = tuple(angles.tolist())

@@ -12,23 +12,31 @@ Excepted pairs are still monitored for contacts, and a pair whose contact inhibi
 from __future__ import annotations
 
 import math
-from functools import lru_cache
 from math import inf
+from typing import NamedTuple
 
 import numpy as np
 
 from aftdeck.arrays import Array, Indices, Mask
-from aftdeck.bodies.pair import CONTACT
-from aftdeck.bodies.pose import HERE
+from aftdeck.bodies.pair import CONTACT, PAIR
 from aftdeck.law import law
-from aftdeck.matrices import product
-from aftdeck.simulation.constants.site import Site
-from aftdeck.simulation.parts.worksite_state import WorksiteState
-from aftdeck.simulation.payloads.grasp import NEAR
-from aftdeck.worksite.relation import Meeting, Relation
-from aftdeck.worksite.watch.clearance_monitor import ClearanceMonitor
-from aftdeck.worksite.watch.contacts import FRAMES, Contacts
+from aftdeck.lent import lend
+from aftdeck.simulation.constants.flight import Flight
+from aftdeck.simulation.row.aligning import DOCKING, GUIDES, Aligning, aligning_of
+from aftdeck.simulation.row.constants import learn_way
+from aftdeck.simulation.row.now import lent
+from aftdeck.simulation.row.on_way import PLACES, STEP
+from aftdeck.simulation.row.world import ENVELOPE, MOST, PORT, TIP, World, pairs_of, world_of
+from aftdeck.simulation.state import State
+from aftdeck.worksite.berths.berthing import OFFSET, offsets, over
+from aftdeck.worksite.berths.on_way import NEAR, on_way, straight_before
+from aftdeck.worksite.capture.acquisition import enclosed_bar
+from aftdeck.worksite.capture.grapple import around_axis
+from aftdeck.worksite.capture.snares import WIDER, WIDEST, fixture_in_effector
+from aftdeck.worksite.watch.clearance_monitor import ClearanceMonitor, Measured, measure_group
+from aftdeck.worksite.watch.contacts import FRAMES
 from aftdeck.worksite.watch.found import CLEARANCE
+from aftdeck.worksite.watch.groups import PackedLayout
 from aftdeck.worksite.watch.places import nearest_place
 
 ASIDE = 0.3
@@ -36,49 +44,35 @@ ASIDE = 0.3
 (assumed)."""
 TILTED = math.radians(5.0)
 """Greatest angle between a payload and its attitude in a berth, up to which it is about to enter [rad] (assumed)."""
-STEP = 0.1
-"""Distance of the positions on the way into a berth at which clearances are known [m] (assumed)."""
 INNER = 0.8
 """Factor on `ASIDE` and `TILTED` [1] (assumed) while a pair of payload and berth has the minimum clearance; without it,
 the lamp could flicker."""
 
 UNDECIDED = 2
 """Mark of a pair that counts unless its parts are aligned."""
+UNKNOWN = -2
+"""Result of `mark` for the first berth; for each further berth one less."""
 
 
-def count(site: Site, worksite: WorksiteState, travel: float) -> None:
-    """Update the pairs that count for the minimum clearance of the next step, after all motion of this step.
-
-    `travel` is the greatest distance by which two parts can approach in the next step [m] (`Flight.within`).
-    """
+def count(flight: Flight, state: State) -> None:
+    """Update the pairs that count for the minimum clearance of the next step, after all motion of this step."""
+    worksite = state.worksite
     worksite.watch.counts[:], worksite.aligned_with = alarm_pairs(
-        site, worksite.held, worksite.watch, worksite.frames, worksite.aligned_with, worksite.nearest,
-        worksite.contacts, worksite.permitted, travel,
-    )  # fmt: skip
+        flight, state, worksite.watch, worksite.frames, worksite.permitted, flight.within
+    )
 
 
 def alarm_pairs(
-    site: Site,
-    held: int | None,
-    watch: ClearanceMonitor,
-    frames: Array,
-    before: int | None,
-    nearest: int,
-    contacts: Contacts,
-    permitted: Mask,
-    travel: float = inf,
+    flight: Flight, state: State, watch: ClearanceMonitor, frames: Array, permitted: Mask, travel: float = inf
 ) -> tuple[Mask, int | None]:
     """Return the pairs that count for the minimum clearance, and the payload with which the end effector is aligned.
 
     Args:
-        site: constants of the worksite.
-        held: the payload in the grasp; None if the grasp is empty.
+        flight: constants of the run.
+        state: state of the run. If a contact of its end effector with a payload inhibits the arm, the pairs of these
+            two are not excepted.
         watch: clearances that were measured at `frames`.
         frames: (F, 12) poses of all frames in L.
-        before: the payload with which the end effector was aligned before this step; None if it was aligned with none.
-        nearest: the pair with the minimum clearance before this step; -1 if there was none.
-        contacts: contacts of the last step. If a contact of the end effector with the payload inhibits the arm, the
-            pairs of these two are not excepted.
         permitted: (g,) result of `relations.permitted`: 1 for pairs of the task, except those in a contact that the
             task does not permit.
         travel: greatest distance by which two parts can approach before the next minimum is found [m].
@@ -87,73 +81,211 @@ def alarm_pairs(
         A mask (g,), 1 for the pairs that count for CLEARANCE; and the payload with which the end effector is aligned,
         or None.
     """
-    counts = site.detrimental.copy()
-    if held is not None:
-        _except_berth(site, held, watch, frames, nearest, counts)
-    if site.meetings:
-        undecided = mark_task_pairs(
-            site.meeting_groups, site.meeting_aligns, watch.active, watch.found, watch.bound, permitted, nearest, NEAR,
-            travel, counts,
-        )  # fmt: skip
-        if undecided:
-            _decide(site, frames, nearest, counts)
-    k = None
-    if held is None and site.capture is not None:
-        k = site.capture.aligned_with(frames, watch.placed, NEAR, before)
-    if k is None or (contacts.inhibit.arm and _inhibited(contacts, site.held[k])):
-        return counts, k
-    return counts & site.not_held[k], k
+    worksite, counts = state.worksite, np.empty_like(permitted)
+    contacts, before, aligned = worksite.contacts, worksite.aligned_with, UNKNOWN
+    while aligned <= UNKNOWN:
+        aligned = _marked(
+            *flight.packed,
+            *state.row.packed,
+            *watch.packed,
+            watch.active,
+            frames,
+            permitted,
+            contacts.count,
+            contacts.essential,
+            contacts.arm,
+            -1 if worksite.held is None else worksite.held,
+            -1 if before is None else before,
+            worksite.nearest,
+            contacts.inhibit.arm,
+            travel,
+            counts,
+        )
+        if aligned <= UNKNOWN:
+            learn_way(flight, UNKNOWN - aligned)
+    return counts, None if aligned < 0 else aligned
 
 
-def _except_berth(site: Site, k: int, watch: ClearanceMonitor, frames: Array, nearest: int, counts: Mask) -> None:
+@law
+def _marked(
+    fixed_numbers: Array,
+    fixed_indices: Indices,
+    fixed_marks: Mask,
+    numbers: Array,
+    indices: Indices,
+    marks: Mask,
+    at: Array,
+    placed: Array,
+    bound: Array,
+    likely: Indices,
+    memory: Array,
+    found: Array,
+    near: Mask,
+    active: Mask,
+    frames: Array,
+    permitted: Mask,
+    frames_touching: Mask,
+    essential: Mask,
+    arm: Mask,
+    held: int,
+    before: int,
+    nearest: int,
+    inhibited: bool,
+    travel: float,
+    counts: Mask,
+) -> int:
+    """Mark the pairs that count, as `mark` does; the first six arguments are those of `row.now.lent`."""
+    flat = lent(fixed_numbers, fixed_indices, fixed_marks, numbers, indices, marks)
+    own = Measured(lend(at), lend(placed), lend(bound), lend(likely), lend(memory), lend(found), lend(near))
+    task = Contacting(lend(permitted), lend(frames_touching), lend(essential), lend(arm), inhibited)
+    return mark(
+        world_of(flat), aligning_of(flat), pairs_of(flat), own, lend(active), lend(frames), task, held, before, nearest,
+        travel, lend(counts),
+    )  # fmt: skip
+
+
+class Contacting(NamedTuple):
+    """Contacts of the last step, each (g,).
+
+    Attributes:
+        permitted: as for `alarm_pairs`.
+        frames_touching: `Contacts.count`.
+        essential: `Contacts.essential`.
+        arm: `Contacts.arm`.
+        inhibited: whether a contact inhibits the arm.
+    """
+
+    permitted: Mask
+    frames_touching: Mask
+    essential: Mask
+    arm: Mask
+    inhibited: bool
+
+
+@law
+def mark(
+    world: World,
+    aligning: Aligning,
+    pairs: PackedLayout,
+    own: Measured,
+    active: Mask,
+    frames: Array,
+    task: Contacting,
+    held: int,
+    before: int,
+    nearest: int,
+    travel: float,
+    counts: Mask,
+) -> int:
+    """Mark the pairs that count for the minimum clearance.
+
+    Args:
+        world: constants of the run.
+        aligning: constants of alignment.
+        pairs: solids and monitored pairs.
+        own: clearances that were measured at `frames`.
+        active: (g,) 1 for pairs that are monitored.
+        frames: (F, 12) poses of all frames in L.
+        task: contacts of the last step.
+        held: the payload in the grasp; -1 if the grasp is empty.
+        before: the payload with which the end effector was aligned before this step; -1 for none.
+        nearest: the pair with the minimum clearance before this step; -1 if there was none.
+        travel: greatest distance by which two parts can approach before the next minimum is found [m].
+        counts: (g,) output: 1 for the pairs that count.
+
+    Returns:
+        The payload with which the end effector is aligned for capture; -1 for none; `UNKNOWN` - b if the clearances on
+        the way into berth b are not known yet (`row.constants.learn_way`), and the marks are not complete.
+    """
+    counts[:] = world.detrimental
+    if held >= 0:
+        berth = _except_berth(world, aligning, pairs, own, active, frames, held, nearest, counts)
+        if berth >= 0:
+            return UNKNOWN - berth
+    if len(world.meetings) > 0 and mark_task_pairs(
+        world.meetings, world.aligns, active, own.found, own.bound, task.permitted, nearest, NEAR, travel, counts
+    ):
+        _decide(world, aligning, frames, nearest, counts)
+    if held >= 0:
+        return -1
+    k = _aligned_payload(world, aligning, own.placed, frames, before)
+    if k >= 0 and not (task.inhibited and _inhibited(task, aligning.grasped[k])):
+        for g in range(len(counts)):
+            if aligning.grasped[k, g] != 0:
+                counts[g] = 0
+    return k
+
+
+@law
+def _aligned_payload(world: World, aligning: Aligning, placed: Array, frames: Array, before: int) -> int:
+    """Return the payload with which the empty end effector is aligned for capture; -1 for none.
+
+    Its bar is in front of the palm and between the fingers; or its pin is aligned with the snares in position and
+    attitude, within a wider range if they were aligned `before`.
+    """
+    if len(world.bars) > 0:
+        return enclosed_bar(placed, world.bars, world.tolerances, NEAR)
+    for k in range(len(world.fixtures)):
+        if world.fixtures[k, 0] != world.fixtures[k, 0]:  # NaN: no fixture
+            continue
+        (out, y, z), turned = fixture_in_effector(
+            frames, world.hand[0], world.effector, world.rows[k], world.fixtures[k]
+        )
+        if abs(out) <= NEAR and around_axis(aligning.envelope, y, z, turned, WIDEST if k == before else WIDER):
+            return k
+    return -1
+
+
+@law
+def _inhibited(task: Contacting, among: Mask) -> bool:
+    """Return whether any of the pairs `among` (g,) has a contact that inhibits the arm."""
+    for g in range(len(among)):
+        if among[g] != 0 and task.frames_touching[g] == FRAMES and task.essential[g] == 0 and task.arm[g] != 0:
+            return True
+    return False
+
+
+@law
+def _except_berth(
+    world: World,
+    aligning: Aligning,
+    pairs: PackedLayout,
+    own: Measured,
+    active: Mask,
+    frames: Array,
+    k: int,
+    nearest: int,
+    counts: Mask,
+) -> int:
     """Write a 0 into `counts` for pairs of the held payload k and the berth that it is about to enter or has just left.
 
     Pairs of the task and pairs in contact keep their marks. So do pairs that are nearer to each other than on the
-    straight way into the berth, by more than the berth's tolerance or by half.
+    straight way into the berth (`on_way.least_on_way`). A pair whose bound is less is measured; the result therefore
+    does not depend on the remembered data.
+
+    Returns:
+        -1, or the number of the berth whose clearances on the way are needed and not known.
     """
-    row = site.payload_rows[k]
-    number = nearest_place(frames, row, site.berth_rows[k], site.berth_places[k], NEAR)
+    row, begin, end = world.rows[k], world.berth_begins[k], world.berth_begins[k + 1]
+    number = nearest_place(frames, row, world.berths[begin:end], world.places[begin:end], NEAR)
     if number < 0:
-        return
-    fit = site.fits[k][number]
-    pairs = site.seated[k, fit.berth.name]
-    factor = INNER if nearest >= 0 and pairs[nearest] else 1.0
-    along, aside, tilt = fit.on_way(frames, row)
-    if aside > factor * ASIDE or tilt > factor * TILTED:
-        return
-    before = min(max(0, int(along / STEP)), int(NEAR / STEP))
-    watch.except_far(pairs & site.detrimental, least_on_way(site, k, number)[before], counts)
-
-
-@lru_cache(maxsize=8)
-def least_on_way(site: Site, k: int, number: int) -> Array:
-    """Return the clearances (n, g) up to which pairs of `clearances_on_way` count [m].
-
-    Row i is for a payload between `i * STEP` and the next step before its final position.
-    """
-    on_way, tolerance = clearances_on_way(site, k, number), site.fits[k][number].berth.distance
-    nearest = np.minimum(on_way[:-1], on_way[1:])
-    return np.asarray(np.maximum(np.maximum(nearest - tolerance, 0.5 * nearest), CONTACT))
-
-
-def clearances_on_way(site: Site, k: int, number: int) -> Array:
-    """Return the clearances (n, g) of a payload on its way into a berth and of the parts in the berth's frame [m].
-
-    Row i is for a payload with its attitude in the berth, `i * STEP` before its final position. Pairs of other parts
-    have the clearance inf.
-    """
-    fit = site.fits[k][number]
-    frames, row = np.tile(HERE, (len(site.layout.frames), 1)), site.payload_rows[k]
-    frames[row] = fit.place
-    step = STEP * product(fit.place[3:].reshape(3, 3), fit.way_out)
-    watch = ClearanceMonitor(site.layout)
-    watch.active[:] = site.seated[k, fit.berth.name]
-    found = np.empty((math.ceil(NEAR / STEP) + 2, len(watch.active)))
-    for i in range(len(found)):
-        frames[row, :3] = fit.place[:3] + i * step
-        watch.update(frames, frames, 1.0)
-        found[i] = watch.found[:, CLEARANCE]
-    return found
+        return -1
+    berth = begin + number
+    among = aligning.seated[berth]
+    factor = INNER if nearest >= 0 and among[nearest] != 0 else 1.0
+    way = on_way(frames[world.berths[berth]], world.places[berth], frames[row], aligning.outs[berth])
+    if way.aside > factor * ASIDE or way.tilt > factor * TILTED:
+        return -1
+    least = aligning.on_way[PLACES * berth + min(max(0, int(way.along / STEP)), PLACES - 1)]
+    if len(least) > 0 and least[0] != least[0]:  # NaN: not known
+        return int(berth)
+    measures = np.empty(PAIR)
+    for g in range(len(among)):
+        if among[g] == 0 or world.detrimental[g] == 0 or active[g] == 0:
+            continue
+        if own.bound[g] >= least[g] or measure_group(pairs, own, g, measures) > least[g]:
+            counts[g] = 0
+    return -1
 
 
 @law
@@ -206,32 +338,69 @@ def mark_task_pairs(
     return undecided
 
 
-def _decide(site: Site, frames: Array, nearest: int, counts: Mask) -> None:
-    """Replace each mark `UNDECIDED`: 0 for a pair whose parts are aligned, 1 for any other pair."""
-    known: dict[tuple[int, Relation], bool] = {}
-    for meeting in site.meetings:
-        if counts[meeting.group] != UNDECIDED:
-            continue
-        key = meeting.payload, meeting.relation
-        if key not in known:
-            reported = any(other.group == nearest for other in site.meetings if (other.payload, other.relation) == key)
-            known[key] = _is_aligned(site, frames, meeting, reported=reported)
-        counts[meeting.group] = not known[key]
+@law
+def _decide(world: World, aligning: Aligning, frames: Array, nearest: int, counts: Mask) -> None:
+    """Replace each mark `UNDECIDED`: 0 for a pair whose parts are aligned, 1 for any other pair.
 
-
-def _inhibited(contacts: Contacts, among: Mask) -> bool:
-    """Return whether any of the pairs `among` (g,) has a contact that inhibits the arm."""
-    return bool(np.any((contacts.count == FRAMES) & (contacts.essential == 0) & (contacts.arm != 0) & (among != 0)))
-
-
-def _is_aligned(site: Site, frames: Array, meeting: Meeting, *, reported: bool) -> bool:
-    """Return whether two parts would touch in a permitted relative position after a straight approach.
-
-    `reported` is True if the pair with the last minimum clearance has the payload and the relation of `meeting`. If so,
-    the parts count as aligned only if they are inside the tolerances by at least the permitted depth. This margin keeps
-    the lamp from flickering. Only relations of berths are tested here; the end effector is tested in `alarm_pairs`.
+    The pairs of a payload with the same relation are decided together.
     """
-    k, depth = meeting.payload, meeting.depth
-    inside = depth if reported else 0.0
-    fits = (fit for fit in site.fits[k] if fit.relation == meeting.relation)
-    return any(fit.is_aligned(frames, site.payload_rows[k], depth, NEAR, inside) for fit in fits)
+    found = np.zeros(len(world.meetings), np.uint8)
+    for m in range(len(world.meetings)):
+        g = world.meetings[m]
+        if counts[g] != UNDECIDED:
+            continue
+        k, relation = aligning.payloads[m], aligning.relations[m]
+        first, reported = m, False
+        for other in range(len(world.meetings)):
+            if aligning.payloads[other] == k and aligning.relations[other] == relation:
+                reported = reported or world.meetings[other] == nearest
+                if other < first and found[other] != 0:
+                    first = other
+        if first < m:
+            found[m] = found[first]
+        else:
+            depth = aligning.depths[m]
+            aligned = _is_aligned(world, aligning, frames, k, relation, depth, depth if reported else 0.0)
+            found[m] = 1 if aligned else 2
+        counts[g] = 0 if found[m] == 1 else 1
+
+
+@law
+def _is_aligned(
+    world: World, aligning: Aligning, frames: Array, k: int, relation: int, depth: float, inside: float
+) -> bool:
+    """Return whether payload k and a berth would touch in a permitted relative position after a straight approach.
+
+    Args:
+        world: constants of the run.
+        aligning: constants of alignment.
+        frames: (F, 12) poses of all frames in L.
+        k: the payload.
+        relation: number of the relation.
+        depth: permitted penetration depth [m].
+        inside: least distance from the limits of the conditions after the approach [m]: `depth` if the pair with the
+            last minimum clearance has this payload and this relation, which keeps the lamp from flickering.
+    """
+    payload = frames[world.rows[k]]
+    for b in range(world.berth_begins[k], world.berth_begins[k + 1]):
+        if aligning.fits[b] != relation:
+            continue
+        berth = frames[world.berths[b]]
+        if relation == DOCKING:
+            port, probe = world.ports[b], world.probes[world.probe_begins[b] : world.probe_begins[b + 1]]
+            if straight_before(
+                probe, port[TIP:MOST], payload, berth, port[PORT:ENVELOPE], port[ENVELOPE:TIP].reshape(5, 4), depth,
+                NEAR, inside, port[MOST] - inside,
+            ):  # fmt: skip
+                return True
+        elif relation == GUIDES:
+            t, u = aligning.guides[b], aligning.guides[b + 1]
+            found = np.empty((u - t, OFFSET))
+            axes = aligning.axes[9 * t : 9 * u].reshape(u - t, 3, 3)
+            offsets(berth, payload, aligning.trunnions[t:u], aligning.seats[t:u], axes, found)
+            least, most, room = over(
+                found, aligning.opening[t:u], aligning.throat[t:u], aligning.height[t:u], aligning.play[t:u]
+            )
+            if least >= -depth and most <= NEAR and room >= inside:
+                return True
+    return False

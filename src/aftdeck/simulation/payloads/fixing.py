@@ -20,10 +20,11 @@ from aftdeck.simulation.constants.site import Site
 from aftdeck.simulation.log import Log
 from aftdeck.simulation.parts.worksite_state import WorksiteState
 from aftdeck.simulation.payloads.grasp import reset_grasp, start_free_flight
-from aftdeck.simulation.payloads.latch_command import NEAR, Pressed, addressed, confirmed, nearest_berth
+from aftdeck.simulation.payloads.latch_command import Pressed, addressed, confirmed, nearest_berth
 from aftdeck.simulation.payloads.mechanism import is_blocked
 from aftdeck.worksite.berths.berth import Fit
 from aftdeck.worksite.berths.latches import OPEN, SHUT, Latches, advance
+from aftdeck.worksite.berths.on_way import NEAR
 from aftdeck.worksite.conditions import Condition, Units, all_hold, failure_text, quantity_text
 from aftdeck.worksite.draw_in import remaining
 

@@ -11,12 +11,11 @@ from aftdeck.simulation.constants.site import Site
 from aftdeck.simulation.log import Log
 from aftdeck.simulation.parts.worksite_state import PayloadState, WorksiteState
 from aftdeck.worksite.berths.berth import Fit
+from aftdeck.worksite.berths.on_way import NEAR
 from aftdeck.worksite.watch.places import nearest_place
 
 Pressed = Literal["latch", "unlatch"]
 
-NEAR = 3.0
-"""Greatest distance between a payload and its final pose in a berth at which the payload counts as at the berth [m]."""
 CONFIRM = 10.0
 """Time within which a second UNLATCH confirms the first [s]; assumed."""
 

@@ -6,7 +6,6 @@ import numpy as np
 
 from aftdeck.bodies.pose import POSE, compose
 from aftdeck.law import large_law, law
-from aftdeck.simulation.payloads.latch_command import NEAR
 from aftdeck.simulation.payloads.task_phases import ACQUISITION, DOCKED, EXTRACTION, MANOEUVRING
 from aftdeck.simulation.row.now import Flat, Motion, motion_of, watch_of
 from aftdeck.simulation.row.scalars import (
@@ -22,6 +21,7 @@ from aftdeck.simulation.row.scalars import (
 )
 from aftdeck.simulation.row.world import ENVELOPE, MOST, MOST_ANGLE, ONLY_Y, PORT, TIP, World, world_of
 from aftdeck.worksite.berths.docking import BEFORE, DISTANCE, FOUND, INSIDE, TURNED, approach
+from aftdeck.worksite.berths.on_way import NEAR
 from aftdeck.worksite.capture.acquisition import acquired_bar
 from aftdeck.worksite.watch.bay import any_inside
 from aftdeck.worksite.watch.places import nearest_place

@@ -7,7 +7,7 @@ import numpy as np
 from aftdeck.arrays import Array
 from aftdeck.bodies.pair import CONTACT, PAIR
 from aftdeck.law import large_law, law
-from aftdeck.simulation.row.now import Flat, Watch, motion_of, watch_of
+from aftdeck.simulation.row.now import Flat, monitor_of, motion_of, watch_of
 from aftdeck.simulation.row.scalars import (
     ARM,
     CHANGED,
@@ -26,7 +26,6 @@ from aftdeck.simulation.row.scalars import (
 )
 from aftdeck.simulation.row.world import pairs_of, world_of
 from aftdeck.worksite.watch.clearance_monitor import (
-    Measured,
     measure_group,
     measure_groups,
     minimum_clearance_group,
@@ -67,7 +66,7 @@ def placed(flat: Flat, true: Array) -> None:
 def measured(flat: Flat, within: float) -> None:
     """Measure the clearances below `within` [m] and count the contacts; write the results into the scalars."""
     now, watch = motion_of(flat), watch_of(flat)
-    v, own, period = now.scalars, _monitor(watch), world_of(flat).constants[PERIOD]
+    v, own, period = now.scalars, monitor_of(watch), world_of(flat).constants[PERIOD]
     measure_groups(pairs_of(flat), own, watch.active, watch.counts, now.before, now.frames, period, within)
     counted = count_frames(watch.found, watch.near, watch.frames_touching)
     v[TOUCHING], v[CHANGED] = 1.0 if counted.touching else 0.0, 1.0 if counted.changed else 0.0
@@ -80,12 +79,6 @@ def measured(flat: Flat, within: float) -> None:
 
 
 @law
-def _monitor(watch: Watch) -> Measured:
-    """Return the arrays of the clearance monitor."""
-    return Measured(watch.at, watch.placed, watch.bound, watch.likely, watch.memory, watch.found, watch.near)
-
-
-@law
 def bounded(flat: Flat) -> float:
     """Return a lower bound of the clearances of all monitored pairs at the poses in `Watch.at` [m].
 
@@ -94,7 +87,7 @@ def bounded(flat: Flat) -> float:
     """
     least: float = np.inf
     pairs, watch = pairs_of(flat), watch_of(flat)
-    own, measures = _monitor(watch), np.empty(PAIR)
+    own, measures = monitor_of(watch), np.empty(PAIR)
     for g in range(len(watch.active)):
         if watch.near[g] != 0 or watch.frames_touching[g] != 0:
             return -np.inf

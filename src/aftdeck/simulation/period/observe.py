@@ -2,21 +2,14 @@
 
 from __future__ import annotations
 
-from math import sqrt
-
-import numpy as np
-
 from aftdeck.arrays import Array
-from aftdeck.bodies.pose import POSE, compose, relative
 from aftdeck.kinematics.observe import observe_near
-from aftdeck.law import large_law, law
-from aftdeck.simulation.payloads.alignment import mark_task_pairs
-from aftdeck.simulation.payloads.grasp import NEAR
-from aftdeck.simulation.row.now import Flat, Motion, Watch, motion_of, watch_of
-from aftdeck.simulation.row.scalars import HELD, LIMITS, NEAREST, RADIUS, SINGULAR, STAND_VELOCITY, WITHIN
-from aftdeck.simulation.row.world import World, world_of
-from aftdeck.worksite.capture.acquisition import enclosed_bar
-from aftdeck.worksite.watch.places import nearest_place
+from aftdeck.law import large_law
+from aftdeck.simulation.payloads.alignment import Contacting, mark
+from aftdeck.simulation.row.aligning import aligning_of
+from aftdeck.simulation.row.now import Flat, monitor_of, motion_of, watch_of
+from aftdeck.simulation.row.scalars import ALIGNED, ARM, HELD, LIMITS, NEAREST, SINGULAR, STAND_VELOCITY, WITHIN
+from aftdeck.simulation.row.world import pairs_of, world_of
 
 
 @large_law
@@ -32,40 +25,20 @@ def observed(flat: Flat, links: Array) -> None:
 
 @large_law
 def counted(flat: Flat) -> bool:
-    """Mark the pairs that count for the minimum clearance of the next step.
+    """Mark the pairs that count for the minimum clearance of the next step, and find what is aligned for capture.
 
     Returns:
-        False if a payload may be aligned with the end effector, a berth or a guide: its pairs then do not count
-        (`payloads.alignment`).
+        False if that needs clearances on the way into a berth that are not known yet (`alignment.alarm_pairs`).
     """
     world, now, watch = world_of(flat), motion_of(flat), watch_of(flat)
-    v, c = now.scalars, world.constants
-    held = int(v[HELD])
-    if held >= 0:
-        begin, end = world.berth_begins[held], world.berth_begins[held + 1]
-        if nearest_place(now.frames, world.rows[held], world.berths[begin:end], world.places[begin:end], NEAR) >= 0:
-            return False
-    elif _may_be_aligned(world, now, watch):
-        return False
-    watch.counts[:] = world.detrimental
-    return len(world.meetings) == 0 or not mark_task_pairs(
-        world.meetings, world.aligns, watch.active, watch.found, watch.bound, watch.permitted, int(v[NEAREST]), NEAR,
-        c[WITHIN], watch.counts,
+    v = now.scalars
+    inhibited = v[ARM] != 0.0
+    task = Contacting(watch.permitted, watch.frames_touching, watch.essential, watch.arm, inhibited)
+    found = mark(
+        world, aligning_of(flat), pairs_of(flat), monitor_of(watch), watch.active, now.frames, task, int(v[HELD]),
+        int(v[ALIGNED]), int(v[NEAREST]), world.constants[WITHIN], watch.counts,
     )  # fmt: skip
-
-
-@law
-def _may_be_aligned(world: World, now: Motion, watch: Watch) -> bool:
-    """Return whether the empty end effector may be aligned with a payload for capture."""
-    if len(world.bars) > 0 and enclosed_bar(watch.placed, world.bars, world.tolerances, NEAR) >= 0:
-        return True
-    outer, inner, pin = np.empty(POSE), np.empty(POSE), np.empty(POSE)
-    for k in range(len(world.fixtures)):
-        if world.fixtures[k, 0] != world.fixtures[k, 0]:
-            continue
-        compose(now.frames[world.hand[0]], world.effector, outer)
-        compose(now.frames[world.rows[k]], world.fixtures[k], inner)
-        relative(outer, inner, pin)
-        if abs(pin[0]) <= NEAR and sqrt(pin[1] * pin[1] + pin[2] * pin[2]) <= world.constants[RADIUS]:
-            return True
-    return False
+    if found < -1:
+        return False
+    v[ALIGNED] = found
+    return True

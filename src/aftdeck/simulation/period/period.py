@@ -29,7 +29,7 @@ from aftdeck.simulation.row.scalars import (
 )
 from aftdeck.worksite.watch.found import CLEARANCE
 
-STEERED, DRIVEN, SEEN, JUDGED, ATTACHED, COUNTED = range(6)
+STEERED, DRIVEN, SEEN, JUDGED, ATTACHED, COUNTED, OBSERVED = range(7)
 """How far a control period has come: see `advance`."""
 FARTHEST = 1e300
 """Minimum clearance if no pair counts [m]."""
@@ -68,17 +68,18 @@ def advance(
         How far the last step has come. `STEERED`: contacts or walls may limit the commanded motion. `DRIVEN`: the arm
         has moved, but the orbiter translates, or something may touch a floating payload or the prong. `SEEN`: contacts
         are counted, but a pair of the task is in contact. `JUDGED`: something may be captured, fixed or released.
-        `ATTACHED`: a payload may be aligned, or the telescope has moved the arm. `COUNTED`: the step is complete.
+        `ATTACHED`: the step is complete, except for what `observes` asks for. `COUNTED`: the telescope has moved the
+        arm, which has to be observed. `OBSERVED`: the step is complete.
     """
     flat = lent(fixed_numbers, fixed_indices, fixed_marks, numbers, indices, marks)
     rules, resting, links = lend(rules), lend(resting), lend(links)
-    v, found, reached = motion_of(flat).scalars, watch_of(flat).found, COUNTED
+    v, found, reached = motion_of(flat).scalars, watch_of(flat).found, OBSERVED
     telescope, task, made = v[TELESCOPE], v[TASK], 0
-    while made < most and reached == COUNTED:
+    while made < most and reached == OBSERVED:
         v[TELESCOPE] = telescope
         reached = complete(flat, rules, resting, links, observes)
         made += 1
-        if reached == COUNTED and tells(v, found, task):
+        if reached == OBSERVED and tells(v, found, task):
             break
     v[MADE] = made
     return reached
@@ -92,10 +93,14 @@ def complete(flat: Flat, rules: Array, resting: Array, links: Array, observes: b
         return reached
     seen(flat, np.empty((0, POSE)))
     reached = settled(flat)
-    if reached < ATTACHED or not observes or motion_of(flat).scalars[STAND_VELOCITY] != 0.0 or not counted(flat):
+    if reached < ATTACHED or not observes:
         return reached
+    if not counted(flat):
+        return ATTACHED
+    if motion_of(flat).scalars[STAND_VELOCITY] != 0.0:
+        return COUNTED
     observed(flat, links)
-    return COUNTED
+    return OBSERVED
 
 
 @law

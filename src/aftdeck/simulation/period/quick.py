@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 from aftdeck.simulation.parts.worksite_state import DRIVES, Halt
 from aftdeck.simulation.period.period import COUNTED, DRIVEN, STEERED, advance
 from aftdeck.simulation.row.scalars import (
+    ALIGNED,
     ARM,
     BEGAN,
     CHANGED,
@@ -83,8 +84,8 @@ def take(state: State, reached: int) -> None:
     if state.row.floats:
         _take_flights(state)
     worksite.nearest, worksite.watch.least = int(values[NEAREST]), values[LEAST]
-    if reached == COUNTED:
-        worksite.aligned_with = None
+    if reached >= COUNTED:
+        worksite.aligned_with = None if values[ALIGNED] < 0.0 else int(values[ALIGNED])
 
 
 def inhibit_of(state: State) -> Inhibit:
@@ -132,6 +133,7 @@ def give(flight: Flight, state: State, inputs: Inputs) -> None:
         works,
         worksite.task,
         worksite.nearest,
+        -1 if worksite.aligned_with is None else worksite.aligned_with,
         *flight.same_level[panel.clearance],
     )
     floats = worksite.floating.count(None) < len(worksite.floating)

@@ -13,6 +13,7 @@ from aftdeck.law import law
 from aftdeck.lent import lend, lend_block
 from aftdeck.simulation.row.scalars import FLOATING, SCALARS
 from aftdeck.steering.layout import COMMAND, REPORT, STATE
+from aftdeck.worksite.watch.clearance_monitor import Measured
 from aftdeck.worksite.watch.found import FOUND
 from aftdeck.worksite.watch.groups import SOLID, Layout
 
@@ -155,3 +156,9 @@ def watch_of(flat: Flat) -> Watch:
         line(marks, flags, 2), line(marks, flags, 3), line(marks, flags, 4), line(marks, flags, 5),
         line(marks, flags, 6), line(marks, flags, 7),
     )  # fmt: skip
+
+
+@law
+def monitor_of(watch: Watch) -> Measured:
+    """Return the arrays of the clearance monitor."""
+    return Measured(watch.at, watch.placed, watch.bound, watch.likely, watch.memory, watch.found, watch.near)

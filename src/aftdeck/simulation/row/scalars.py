@@ -39,27 +39,29 @@ TASK = 19
 """The report's mode, 1 to 4; replaced by the mode after the step, if nothing is captured or fixed in it."""
 NEAREST = 20
 """Pair with the minimum clearance; -1 if none counts. Replaced by that after the step."""
-LEAST_SAME, GREATEST_SAME = 21, 22
+ALIGNED = 21
+"""Payload with which the end effector is aligned for capture; -1 for none. Replaced by that after the step."""
+LEAST_SAME, GREATEST_SAME = 22, 23
 """Minimum clearances from the first to below the second do not change the alarm level [m]."""
-GIVEN = 23
+GIVEN = 24
 """Number of the values above, which are set before a step."""
 
 # of a step, after it
-HALT = 23
+HALT = 24
 """What blocked the commanded motion: 0 nothing, 1 a berth, 2 a switch."""
-BEGAN = 24
+BEGAN = 25
 """1 if an automatic motion began in this step."""
-TOUCHING, CHANGED = 25, 26
+TOUCHING, CHANGED = 26, 27
 """1 if a pair is in contact; 1 if a contact began, ended or reached its second step."""
-ARM, FINGER = 27, 28
+ARM, FINGER = 28, 29
 """1 if a contact inhibits the arm; 1 if one inhibits the prong."""
-LEAST = 29
+LEAST = 30
 """Lower bound of the measured clearances [m]."""
-LIMITS = 30
+LIMITS = 31
 """1 if a joint is past its reach limit or a singularity is near."""
-MADE = 31
+MADE = 32
 """Number of control steps that were made."""
-SCALARS = 32
+SCALARS = 33
 
 # constants of a run
 PERIOD = 0

@@ -1,4 +1,4 @@
-"""Constants of a run as parts of three flat arrays."""
+"""Constants of arm and worksite in a run."""
 
 from __future__ import annotations
 
@@ -10,11 +10,11 @@ from numpy.typing import NDArray
 
 from aftdeck.arrays import Array, Indices, Mask
 from aftdeck.bodies.pose import POSE
-from aftdeck.flat import block, flattened, line, table_of
+from aftdeck.flat import block, line
 from aftdeck.law import law
 from aftdeck.lent import lend_line
 from aftdeck.simulation.row import scalars
-from aftdeck.simulation.row.now import FIXED, TABLES, Flat, table, tables_of
+from aftdeck.simulation.row.now import FIXED, TABLES, Flat, table
 from aftdeck.worksite.berths.berth import Fit
 from aftdeck.worksite.berths.port import PortFit
 from aftdeck.worksite.capture.bar import HEXES, Bar
@@ -97,44 +97,11 @@ probe's face [m]; greatest distance [m] and angle [rad] at which the port docks 
 PORT_SIZE = 38
 ROUNDING = 1e-9
 """Added to a limit below which a measured length is never rejected [m]: more than a rounding error."""
-_NUMBERS, _INDICES = 13, 10
-"""Number of fields of `World` that are float64 and int64."""
+WORLD_NUMBERS, WORLD_INDICES, WORLD_MARKS = 13, 10, 6
+"""Number of fields of `World` that are float64, int64 and uint8."""
 
 
-class Packed(NamedTuple):
-    """Constants of a run in flat arrays, which cannot be written.
-
-    The indices begin with the places of the tables in the indices, and with the tables.
-
-    Attributes:
-        numbers: float64.
-        indices: int64.
-        marks: uint8.
-    """
-
-    numbers: Array
-    indices: Indices
-    marks: Mask
-
-
-def packed(flight: Flight) -> Packed:
-    """Return the constants of a run in flat arrays."""
-    world, layout = _world(flight), flight.site.layout.packed
-    groups = (
-        (*world[:_NUMBERS], layout.solids, layout.reach),
-        (*world[_NUMBERS : _NUMBERS + _INDICES], layout.frame, layout.pairs, layout.begins, layout.between_frames),
-        world[_NUMBERS + _INDICES :],
-    )
-    own = [table_of(array.shape for array in group) for group in groups]
-    model, site = flight.scenario.arm.model, flight.site
-    tables = tables_of(site.layout, len(site.arm.joints), len(model.singularities), len(site.payloads))
-    all_tables = (*own, *tables)
-    places = TABLES + 1 + np.cumsum([0, *(one.size for one in all_tables)], dtype=np.int64)
-    indices = [places, *all_tables, *groups[1]]
-    return Packed(flattened(groups[0], np.float64), flattened(indices, np.int64), flattened(groups[2], np.uint8))
-
-
-def _world(flight: Flight) -> World:
+def world_arrays(flight: Flight) -> World:
     """Return the constants of a run as separate arrays."""
     site, scenario = flight.site, flight.scenario
     payloads, groups, device = len(site.payloads), len(site.layout.groups), site.capture
@@ -210,7 +177,7 @@ def _fixtures(snares: Snares) -> Array:
 
 
 @law
-def _rest(fixed_indices: Indices) -> Indices:
+def rest_of(fixed_indices: Indices) -> Indices:
     """Return the constants' indices after the tables."""
     begin = fixed_indices[TABLES]
     return lend_line(fixed_indices, begin, len(fixed_indices) - begin)
@@ -219,7 +186,7 @@ def _rest(fixed_indices: Indices) -> Indices:
 @law
 def world_of(flat: Flat) -> World:
     """Return the constants of arm and worksite."""
-    numbers, marks, rest = flat.fixed_numbers, flat.fixed_marks, _rest(flat.fixed_indices)
+    numbers, marks, rest = flat.fixed_numbers, flat.fixed_marks, rest_of(flat.fixed_indices)
     own, whole = table(flat.fixed_indices, FIXED), table(flat.fixed_indices, FIXED + 1)
     flags = table(flat.fixed_indices, FIXED + 2)
     return World(
@@ -237,9 +204,10 @@ def world_of(flat: Flat) -> World:
 @law
 def pairs_of(flat: Flat) -> PackedLayout:
     """Return the monitored pairs."""
-    numbers, rest = flat.fixed_numbers, _rest(flat.fixed_indices)
+    numbers, rest = flat.fixed_numbers, rest_of(flat.fixed_indices)
     own, whole = table(flat.fixed_indices, FIXED), table(flat.fixed_indices, FIXED + 1)
     return PackedLayout(
-        block(numbers, own, _NUMBERS), line(rest, whole, _INDICES), block(rest, whole, _INDICES + 1),
-        line(rest, whole, _INDICES + 2), block(rest, whole, _INDICES + 3), line(numbers, own, _NUMBERS + 1),
+        block(numbers, own, WORLD_NUMBERS), line(rest, whole, WORLD_INDICES), block(rest, whole, WORLD_INDICES + 1),
+        line(rest, whole, WORLD_INDICES + 2), block(rest, whole, WORLD_INDICES + 3),
+        line(numbers, own, WORLD_NUMBERS + 1),
     )  # fmt: skip

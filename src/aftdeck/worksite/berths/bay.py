@@ -27,7 +27,6 @@ from aftdeck.worksite.berths.berthing import (
     in_guides,
     inside,
     offsets,
-    over,
     prepare,
     ready_to_latch,
     retained,
@@ -145,11 +144,6 @@ class GuidedFit(BayFit):
         """Return whether every trunnion in contact is inside the mouth of its own V-guide."""
         found = self.trunnion_offsets(frames, payload)
         return guided(found, *self._limits, placed, meeting.pairs, meeting.trunnions, meeting.depth)
-
-    def is_aligned(self, frames: Array, payload: int, depth: float, near: float, inside: float) -> bool:
-        """Return whether every trunnion is above or inside the mouth of its own V-guide; `near`: height above it."""
-        least, most, room = over(self.trunnion_offsets(frames, payload), *self._limits)
-        return least >= -depth and most <= near and room >= inside
 
     def trunnion_offsets(self, frames: Array, payload: int) -> Array:
         """Return the offsets (n, 4) of the payload's trunnions from their seats (`berthing.offsets`)."""

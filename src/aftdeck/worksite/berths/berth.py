@@ -24,7 +24,6 @@ from aftdeck.frames import Pose, endori
 from aftdeck.matrices import product
 from aftdeck.shapes import Shape
 from aftdeck.units import Angle, Length, Time
-from aftdeck.worksite.berths.on_way import OnWay, on_way
 from aftdeck.worksite.body import Body, Frame
 from aftdeck.worksite.conditions import Condition
 from aftdeck.worksite.payload import Payload
@@ -206,18 +205,6 @@ class Fit(ABC):
         """
         raise NotImplementedError
 
-    def is_aligned(self, frames: Array, payload: int, depth: float, near: float, inside: float) -> bool:
-        """Return whether a straight motion would bring the payload into a permitted contact with the berth.
-
-        Args:
-            frames: as for `conditions`.
-            payload: as for `conditions`.
-            depth: permitted penetration depth [m].
-            near: greatest distance at which the payload counts as aligned [m].
-            inside: least distance from the limits of the conditions after the motion [m].
-        """
-        raise NotImplementedError
-
     @cached_property
     def way_out(self) -> Array:
         """Unit vector (3,) in the payload's axes, along which it leaves the berth."""
@@ -234,10 +221,6 @@ class Fit(ABC):
         compose(frames[self.row], self.place, place)
         relative(place, frames[payload], off)
         return off
-
-    def on_way(self, frames: Array, payload: int) -> OnWay:
-        """Return where the payload is on its way into the berth; arguments as for `conditions`."""
-        return on_way(frames[self.row], self.place, frames[payload], self.way_out)
 
 
 def place_of(berth: Berth, payload: Payload) -> Array:

@@ -14,6 +14,9 @@ from aftdeck.elementary import atan2
 from aftdeck.law import law
 from aftdeck.worksite.berths.docking import BEFORE, DISTANCE, FOUND, INSIDE, approach
 
+NEAR = 3.0
+"""Greatest distance between a payload and its final pose in a berth at which the payload counts as at the berth [m]."""
+
 
 class OnWay(NamedTuple):
     """Position of a payload relative to its final pose in a berth.

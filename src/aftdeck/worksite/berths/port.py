@@ -19,7 +19,6 @@ from aftdeck.shapes import Cylinder, Material, Shape
 from aftdeck.units import Length
 from aftdeck.worksite.berths.berth import Berth, BerthTable, Closes, Fit, Verb, place_of
 from aftdeck.worksite.berths.docking import BEFORE, DISTANCE, FOUND, INSIDE, DockingTolerances, approach, docking
-from aftdeck.worksite.berths.on_way import straight_before
 from aftdeck.worksite.body import Body
 from aftdeck.worksite.conditions import Condition
 from aftdeck.worksite.payload import Payload, part_of
@@ -134,13 +133,6 @@ class PortFit(Fit):
         del placed
         found, depth = self._approach(frames, payload), meeting.depth
         return bool(found[BEFORE] >= -depth and found[INSIDE] >= -depth and found[DISTANCE] <= self.tolerances.distance)
-
-    def is_aligned(self, frames: Array, payload: int, depth: float, near: float, inside: float) -> bool:
-        """Return whether a straight approach would bring the probe to the port; `near`: distance from the port."""
-        return straight_before(
-            self.probe, self.tip, frames[payload], frames[self.row], self.pose, self.berth.envelope, depth, near,
-            inside, self.tolerances.distance - inside,
-        )  # fmt: skip
 
     @property
     def _outwards(self) -> Array:

@@ -20,7 +20,6 @@ from aftdeck.worksite.capture.acquisition import (
     acquire,
     acquired_bar,
     acquisition,
-    enclosed_bar,
 )
 from aftdeck.worksite.capture.effector import CaptureTable, Controls, EndEffector, MadeFor, Moved, Nearest
 from aftdeck.worksite.conditions import Condition, Units
@@ -121,12 +120,6 @@ class Bar(EndEffector):
         del frames
         found = self.measured(placed, meeting.payload)
         return found is not None and bool(min(found[PALM], found[FIXED], found[PRONG]) >= -meeting.depth)
-
-    def aligned_with(self, frames: Array, placed: Array, near: float, before: int | None) -> int | None:
-        """Return the payload whose bar is in front of the palm and between the fingers; None if there is none."""
-        del frames, before
-        payload = enclosed_bar(placed, self.bars, self.packed, near)
-        return None if payload < 0 else payload
 
     def step(
         self, controls: Controls, held: int | None, frames: Array, placed: Array, period: float, units: Units

@@ -127,17 +127,6 @@ class EndEffector(ABC):
         """Return whether payload and end effector, whose pair has the relation `relation`, may touch as they are."""
 
     @abstractmethod
-    def aligned_with(self, frames: Array, placed: Array, near: float, before: int | None) -> int | None:
-        """Return the payload with which the end effector is aligned for capture; None if there is none.
-
-        Args:
-            frames: poses of all frames in L.
-            placed: all solids in L.
-            near: greatest distance of the payload [m].
-            before: the payload with which the end effector was aligned before.
-        """
-
-    @abstractmethod
     def step(
         self, controls: Controls, held: int | None, frames: Array, placed: Array, period: float, units: Units
     ) -> Moved | None:

@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
-from math import inf
+from math import inf, sqrt
 
 import msgspec
+import numpy as np
 
-from aftdeck.frames import oriend_rows
+from aftdeck.arrays import Array
+from aftdeck.frames import oriend_elements, oriend_rows
+from aftdeck.law import law
 from aftdeck.matrices import length
 from aftdeck.tuples import Rows, Vec3
 from aftdeck.worksite.conditions import Condition, within
@@ -29,6 +32,35 @@ class CaptureEnvelope(msgspec.Struct, frozen=True):
     """Greatest rotation about axis 3, in either direction [rad]."""
     roll: float
     """Greatest rotation about axis 1, in either direction [rad]."""
+
+    @property
+    def packed(self) -> Array:
+        """The values as an array (6,), in this order."""
+        return np.array([self.radial, self.nearest, self.farthest, self.pitch, self.yaw, self.roll])
+
+
+RADIAL, NEAREST, FARTHEST, PITCH, YAW, ROLL = range(6)
+"""Indices in `CaptureEnvelope.packed`."""
+
+
+@law
+def around_axis(envelope: Array, y: float, z: float, turned: Rows, wide: float) -> bool:
+    """Return whether a fixture is within the envelope's radius and angles, each multiplied by `wide`.
+
+    Args:
+        envelope: (6,) `CaptureEnvelope.packed`.
+        y: position of the fixture along axis 2 of the end effector [m].
+        z: its position along axis 3 [m].
+        turned: its rotation in the end effector's axes.
+        wide: factor on the limits [1].
+    """
+    if sqrt(y * y + z * z) > wide * envelope[RADIAL]:
+        return False
+    (a, b, _), (d, e, _), (g, h, i) = turned
+    roll, pitch, yaw = oriend_elements(a, b, d, e, g, h, i)
+    return bool(
+        abs(roll) <= wide * envelope[ROLL] and abs(pitch) <= wide * envelope[PITCH] and abs(yaw) <= wide * envelope[YAW]
+    )
 
 
 def in_envelope(fixture: tuple[Vec3, Rows], envelope: CaptureEnvelope) -> tuple[Condition, ...]:

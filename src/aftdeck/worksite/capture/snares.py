@@ -11,13 +11,12 @@ import numpy as np
 
 from aftdeck.arrays import Array
 from aftdeck.bodies.pose import POSE, compose, inverse, relative, row_of, rows, vec3
-from aftdeck.frames import oriend_rows
 from aftdeck.law import law
 from aftdeck.matrices import length
 from aftdeck.tuples import Rows, Vec3
 from aftdeck.units import Angle, Length, Time
 from aftdeck.worksite.capture.effector import CaptureTable, Controls, EndEffector, MadeFor, Moved, Nearest
-from aftdeck.worksite.capture.grapple import CaptureEnvelope, in_envelope
+from aftdeck.worksite.capture.grapple import CaptureEnvelope, around_axis, in_envelope
 from aftdeck.worksite.capture.snare import Part, Snare, SnareCommand, SnareTimes, advance, flags, next_stage
 from aftdeck.worksite.conditions import Condition, Units, all_hold
 from aftdeck.worksite.draw_in import remaining
@@ -145,18 +144,8 @@ class Snares(EndEffector):
         if (fixture := self.fixture(frames, meeting.payload)) is None:
             return False
         (out, y, z), turned = fixture
-        return self._within(y, z, turned, 1.0) and bool(out >= self.envelope.nearest - meeting.depth)
-
-    def aligned_with(self, frames: Array, placed: Array, near: float, before: int | None) -> int | None:
-        """Return the payload whose pin is aligned with the end effector in position and attitude."""
-        del placed
-        for payload in range(len(self.fixtures)):
-            if (fixture := self.fixture(frames, payload)) is None:
-                continue
-            (out, y, z), turned = fixture
-            if abs(out) <= near and self._within(y, z, turned, WIDEST if payload == before else WIDER):
-                return payload
-        return None
+        before = bool(out >= self.envelope.nearest - meeting.depth)
+        return before and around_axis(self.envelope.packed, y, z, turned, 1.0)
 
     def step(
         self, controls: Controls, held: int | None, frames: Array, placed: Array, period: float, units: Units
@@ -199,14 +188,6 @@ class Snares(EndEffector):
         part, target = stage
         left = abs(target - float(getattr(controls.snare, part)))
         return Motion(_TEXTS[part, target == 1.0], left * float(getattr(self.times, part)))
-
-    def _within(self, y: float, z: float, turned: Rows, wide: float) -> bool:
-        """Return whether a fixture is within the envelope's radius and angles, each multiplied by `wide`."""
-        envelope = self.envelope
-        if length((y, z)) > wide * envelope.radial:
-            return False
-        roll, pitch, yaw = (abs(angle) for angle in oriend_rows(turned))
-        return bool(roll <= wide * envelope.roll and pitch <= wide * envelope.pitch and yaw <= wide * envelope.yaw)
 
 
 def status(controls: Controls) -> Hand:

@@ -251,41 +251,6 @@ def measure_groups(
 
 
 @law
-def except_far(
-    solids: Array,
-    frame: Indices,
-    pairs: Indices,
-    begins: Indices,
-    between_frames: Indices,
-    reach: Array,
-    active: Mask,
-    among: Mask,
-    least: Array,
-    counts: Mask,
-    at: Array,
-    placed: Array,
-    bound: Array,
-    likely: Indices,
-    memory: Array,
-    found: Array,
-    near: Mask,
-) -> None:
-    """Write a 0 into `counts` (g,) for the active groups `among` (g,) whose clearance exceeds `least` (g,) [m].
-
-    A group whose bound is less is measured. The result therefore does not depend on the remembered data. The arguments
-    are separate as in `watch`.
-    """
-    layout = PackedLayout(solids, frame, pairs, begins, between_frames, reach)
-    own = Measured(at, placed, bound, likely, memory, found, near)
-    measures = np.empty(packed.PAIR)
-    for g in range(len(among)):
-        if among[g] == 0 or active[g] == 0:
-            continue
-        if bound[g] >= least[g] or measure_group(layout, own, g, measures) > least[g]:
-            counts[g] = 0
-
-
-@law
 def measure_group(layout: PackedLayout, own: Measured, g: int, measures: Array) -> float:
     """Return the clearance of group g [m]; write the measurements of its nearest pair into `measures` (17,).
 
@@ -416,10 +381,6 @@ class ClearanceMonitor(Cache):
         """
         self.least = -np.inf
         watch(*self.layout.packed, self.active, counts, before, now, period, within, *self.packed)
-
-    def except_far(self, among: Mask, least: Array, counts: Mask) -> None:
-        """Write a 0 into `counts` (g,) for the active groups `among` (g,) whose clearance exceeds `least` (g,) [m]."""
-        except_far(*self.layout.packed, self.active, among, least, counts, *self.packed)
 
     def nearest(self, counts: Mask) -> int:
         """Return the group of least clearance among groups with a 1 in `counts` (g,); -1 if none was measured."""
