@@ -16,12 +16,15 @@ from aftdeck.arrays import Array
 from aftdeck.elementary import sincos
 
 _THREE = (3, 3)
+_SMALL = (_THREE, (3,))
 
 
 def product(a: Array, b: Array) -> Array:
     """Return the matrix product of a (..., m) or (..., l, m) and b (m,) or (..., m, n), as `a @ b` does."""
-    if a.shape == _THREE and b.shape in (_THREE, (3,)):
-        return _by_three(a, b)
+    if b.shape == _THREE and a.shape in _SMALL:
+        return _by_matrix(a, b)
+    if a.shape == _THREE and b.shape == (3,):
+        return _by_vector(a, b)
     inner = range(1, a.shape[-1])
     if b.ndim == 1:
         terms = a * b
@@ -36,15 +39,28 @@ def product(a: Array, b: Array) -> Array:
     return total
 
 
-def _by_three(a: Array, b: Array) -> Array:
-    """Return the product of a (3, 3) and b (3, 3) or (3,), in half the time that NumPy needs for nine numbers."""
+def _by_matrix(a: Array, b: Array) -> Array:
+    """Return the product of a (3, 3) or (3,) and b (3, 3), in half the time that NumPy needs for nine numbers."""
+    (x, y, z), (s, t, u), (v, w, o) = b.tolist()
+    rows = a.tolist()
+    if a.ndim == 1:
+        c, d, e = rows
+        return np.array((c * x + d * s + e * v, c * y + d * t + e * w, c * z + d * u + e * o))
+    (c, d, e), (f, g, h), (i, j, k) = rows
+    return np.array(
+        (
+            c * x + d * s + e * v, c * y + d * t + e * w, c * z + d * u + e * o,
+            f * x + g * s + h * v, f * y + g * t + h * w, f * z + g * u + h * o,
+            i * x + j * s + k * v, i * y + j * t + k * w, i * z + j * u + k * o,
+        )
+    ).reshape(3, 3)  # fmt: skip
+
+
+def _by_vector(a: Array, b: Array) -> Array:
+    """Return the product of a (3, 3) and b (3,)."""
     (p, q, r), (s, t, u), (v, w, o) = a.tolist()
-    if b.ndim == 1:
-        x, y, z = b.tolist()
-        return np.array((p * x + q * y + r * z, s * x + t * y + u * z, v * x + w * y + o * z))
-    columns = zip(*b.tolist(), strict=True)
-    by_column = [(p * x + q * y + r * z, s * x + t * y + u * z, v * x + w * y + o * z) for x, y, z in columns]
-    return np.array(tuple(zip(*by_column, strict=True)))
+    x, y, z = b.tolist()
+    return np.array((p * x + q * y + r * z, s * x + t * y + u * z, v * x + w * y + o * z))
 
 
 def dots(a: Array, b: Array) -> Array:

@@ -61,6 +61,8 @@ def update_worksite(flight: Flight, state: State, log: Log, inputs: Inputs, reac
     elif worksite.advice is not None:
         worksite.advice = None
     if reached > JUDGED:
+        if inputs.effector is not None or inputs.rigid is not None:  # the log tells why the end effector does not move
+            capture(flight, worksite, plant, state.panel, log, inputs, attached=state.script.attached > 0)
         change_task(worksite, int(state.row.values[TASK]), log)
         return
     in_grasp, attached = worksite.in_grasp, state.script.attached > 0

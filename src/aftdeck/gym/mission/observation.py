@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from functools import cached_property
+
 import numpy as np
 
 from aftdeck.arrays import Array
@@ -11,7 +13,7 @@ from aftdeck.gym.terms import Floats32, observation_space
 from aftdeck.scenario.model import Scenario
 from aftdeck.scene.stick_axes import StickAxes
 from aftdeck.simulation.frame import Frame
-from aftdeck.simulation.readings.reading import Known
+from aftdeck.simulation.readings.reading import Known, Reading
 from aftdeck.simulation.readings.table import named
 from aftdeck.task.along_sticks import seen_along
 from aftdeck.task.remaining import Remaining
@@ -51,7 +53,21 @@ class Observer:
             left: remaining motion; None if there is no place to move to.
         """
         known = Known(frame, self._scenario, along=seen_along(frame, left, self._sticks.in_l(frame)))
-        values = np.array([value for name in self._names for value in named(name).values(known)], dtype=np.float64)
+        values = np.fromiter(
+            (value for reading in self._readings for value in reading.values(known)), np.float64, len(self._zero)
+        )
+        values -= self._zero
+        values /= self._one
+        np.maximum(values, self.space.low, out=values)
+        np.minimum(values, self.space.high, out=values)
         observation = self._arrays.new()
-        observation[:] = np.clip((values - self._zero) / self._one, self.space.low, self.space.high)
+        observation[:] = values
         return observation
+
+    @cached_property
+    def _readings(self) -> list[Reading]:
+        return [named(name) for name in self._names]
+
+    def __getstate__(self) -> dict[str, object]:
+        """Return the fields for `pickle`, without the readings, which cannot be pickled."""
+        return {name: value for name, value in vars(self).items() if name != "_readings"}

@@ -12,7 +12,10 @@ _NO_STICKS = {
     "translation": (0.0, 0.0, 0.0), "rotation": (0.0, 0.0, 0.0), "orbiter": (0.0, 0.0, 0.0), "drive": 0.0,
     "telescope": 0.0,
 }  # fmt: skip
-_KEPT = {"mode": None, "joint": None, "rate": None, "payload_axes": None, "stop": False}
+_KEPT = {
+    "mode": None, "joint": None, "rate": None, "payload_axes": None, "stop": False, "effector": None,
+    "effector_mode": None, "rigid": None, "latch": None,
+}  # fmt: skip
 """Values of the sticks and of the switches whose positions act once."""
 
 

@@ -104,8 +104,9 @@ def give(flight: Flight, state: State, inputs: Inputs) -> None:
     if held is not None:
         payload = worksite.payloads[held]
         released, docked = payload.released_from, bool(payload.berth) and site.berth(payload.berth).docks
-    works = inputs.effector is not None or inputs.rigid is not None or inputs.latch is not None
-    works = works or bool(worksite.snare.motion) or worksite.rigid != "off"
+    works, pressed = inputs.latch is not None, inputs.effector is not None
+    if (pressed or worksite.snare.motion or worksite.rigid != "off") and site.capture is not None:
+        works = works or (not state.script.attached and site.capture.acts(worksite.controls(pressed=pressed)))
     for payload in worksite.payloads:
         works = works or bool(payload.latches.motion)
     x, y, z = inputs.orbiter

@@ -126,6 +126,11 @@ class EndEffector(ABC):
     def permits(self, frames: Array, placed: Array, meeting: Meeting) -> bool:
         """Return whether payload and end effector, whose pair has the relation `relation`, may touch as they are."""
 
+    def acts(self, controls: Controls) -> bool:
+        """Return whether the controls move the end effector in this step; if not, `step` only tells why."""
+        del controls
+        return False
+
     @abstractmethod
     def step(
         self, controls: Controls, held: int | None, frames: Array, placed: Array, period: float, units: Units

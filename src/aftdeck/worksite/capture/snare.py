@@ -123,7 +123,7 @@ def advance(
         units: the operator's units, for the log lines.
     """
     lines: list[LogLine] = []
-    if command.trigger and (why := _rejection_reason(snare, command)):
+    if command.trigger and (why := refusal(snare, command)):
         lines.append(rejection(f"{command.trigger.upper()} refused: {why}"))
     elif command.trigger:
         snare = msgspec.structs.replace(snare, motion=command.trigger, met=snare.met and snare.ring > 0.0)
@@ -148,7 +148,7 @@ def advance(
     return Moved(snare, tuple(lines))
 
 
-def _rejection_reason(snare: Snare, command: SnareCommand) -> str:
+def refusal(snare: Snare, command: SnareCommand) -> str:
     """Return why the trigger is rejected; empty if it is accepted."""
     if command.mode == "OFF":
         return "END EFFECTOR MODE is OFF; the trigger works in AUTO and MAN"

@@ -17,7 +17,16 @@ from aftdeck.tuples import Rows, Vec3
 from aftdeck.units import Angle, Length, Time
 from aftdeck.worksite.capture.effector import CaptureTable, Controls, EndEffector, MadeFor, Moved, Nearest
 from aftdeck.worksite.capture.grapple import CaptureEnvelope, around_axis, in_envelope
-from aftdeck.worksite.capture.snare import Part, Snare, SnareCommand, SnareTimes, advance, flags, next_stage
+from aftdeck.worksite.capture.snare import (
+    Part,
+    Snare,
+    SnareCommand,
+    SnareTimes,
+    advance,
+    flags,
+    next_stage,
+    refusal,
+)
 from aftdeck.worksite.conditions import Condition, Units, all_hold
 from aftdeck.worksite.draw_in import remaining
 from aftdeck.worksite.relation import Meeting
@@ -147,6 +156,13 @@ class Snares(EndEffector):
         before = bool(out >= self.envelope.nearest - meeting.depth)
         return before and around_axis(self.envelope.packed, y, z, turned, 1.0)
 
+    def acts(self, controls: Controls) -> bool:
+        """Return whether snares or carriage move, or begin to move."""
+        before, command = controls.snare, snare_command(controls)
+        return (
+            bool(before.motion) or controls.rigid != "off" or (bool(command.trigger) and not refusal(before, command))
+        )
+
     def step(
         self, controls: Controls, held: int | None, frames: Array, placed: Array, period: float, units: Units
     ) -> Moved | None:
@@ -154,10 +170,11 @@ class Snares(EndEffector):
         before, payload = controls.snare, held
         if not controls.pressed and not before.motion and controls.rigid == "off":
             return None
-        conditions: tuple[Condition, ...] = ()
-        if held is None and (near := self.nearest(frames, placed, inf)) is not None:
+        command, conditions = snare_command(controls), tuple[Condition, ...]()
+        closes = before.ring < 1.0 and "capture" in (command.trigger, before.motion)
+        if closes and held is None and (near := self.nearest(frames, placed, inf)) is not None:
             payload, conditions = near
-        snare, lines = advance(before, self.times, snare_command(controls), period, conditions, units)
+        snare, lines = advance(before, self.times, command, period, conditions, units)
         return Moved(payload if snare.captured == (held is None) else None, snare, lines)
 
     def drawn_grasp(self, payload: int, from_pose: Array, share: float) -> Array:
