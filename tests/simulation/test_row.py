@@ -9,7 +9,18 @@ import pytest
 
 from aftdeck.scenario.load import built_in
 from aftdeck.simulation.constants.flight import Flight
-from aftdeck.simulation.row.now import INDICES, MARKS, NUMBERS, Flat, Motion, Watch, motion_of, watch_of
+from aftdeck.simulation.row.now import (
+    INDICES,
+    MARKS,
+    NUMBERS,
+    Flat,
+    Limits,
+    Motion,
+    Watch,
+    limits_of,
+    motion_of,
+    watch_of,
+)
 from aftdeck.simulation.row.world import pairs_of, world_arrays, world_of
 from aftdeck.simulation.run import Simulation
 from aftdeck.simulation.state import State
@@ -30,17 +41,17 @@ def flown(name: str) -> tuple[Flight, State]:
 def parts_of(flight: Flight, state: State) -> dict[str, np.ndarray]:
     """Return the parts of a row by the names of the named tuples in which laws receive them."""
     flat = Flat(*flight.packed, *state.row.packed)
-    return motion_of(flat)._asdict() | watch_of(flat)._asdict()
+    return motion_of(flat)._asdict() | watch_of(flat)._asdict() | limits_of(flat)._asdict()
 
 
 @pytest.mark.parametrize("name", built_in())
 def test_the_arrays_of_a_state_are_the_parts_of_its_row(name: str) -> None:
     flight, state = flown(name)
     parts, worksite = parts_of(flight, state), state.worksite
-    assert set(parts) == {*NUMBERS, *INDICES, *MARKS} == {*Motion._fields, *Watch._fields}
+    assert set(parts) == {*NUMBERS, *INDICES, *MARKS} == {*Motion._fields, *Watch._fields, *Limits._fields}
     owners = (state, state.plant, worksite, worksite.contacts, worksite.watch)
     for name_of, part in parts.items():
-        if name_of in ("scalars", "flights"):
+        if name_of in ("scalars", "flights", *Limits._fields):
             continue
         attribute = "count" if name_of == "frames_touching" else name_of
         (own,) = [

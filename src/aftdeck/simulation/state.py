@@ -25,7 +25,7 @@ from aftdeck.simulation.parts.worksite_state import WorksiteState, new_worksite_
 from aftdeck.simulation.row.row import Row, row_of
 from aftdeck.state_part import StatePart, copied
 from aftdeck.steering.layout import COMMAND, MOTION_ACTIVE, REPORT, STATE
-from aftdeck.steering.mode import AUTOMATIC_LAWS, MODES, LawChoice
+from aftdeck.steering.mode import AUTOMATIC_LAWS, MODES, ORB_UNL, LawChoice
 from aftdeck.steering.msteer import measured
 from aftdeck.steering.rules import Rate
 from aftdeck.tuples import Six
@@ -189,6 +189,12 @@ class State(StatePart, dict=True):
         """Steering rules in force."""
         under_way, at_rest = self.both_rules()
         return at_rest if self.command[MOTION_ACTIVE] == 0.0 else under_way
+
+    @property
+    def stick_rules(self) -> Array:
+        """Steering rules for the stick directions: those in force in a manual mode, else those of ORB UNL."""
+        panel = self.panel
+        return self.rules if MODES[panel.mode].kind == "manual" else self.carried.rules["ORB UNL", panel.rate, ORB_UNL]
 
     def both_rules(self) -> tuple[Array, Array]:
         """Return the steering's rules of an automatic motion that is in progress or begins, and those without one.

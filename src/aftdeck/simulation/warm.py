@@ -13,7 +13,6 @@ from aftdeck.simulation.constants.flight import Flight, run_constants
 from aftdeck.simulation.fly import complete
 from aftdeck.simulation.inputs import Inputs
 from aftdeck.simulation.motion.contact_out import way_out_of_contact
-from aftdeck.simulation.motion.ways_out import ways_out
 from aftdeck.simulation.observe.arm_events import log_arm_events
 from aftdeck.simulation.observe.look import frame_of
 from aftdeck.simulation.observe.look_ahead import MOST_S, look_ahead
@@ -53,10 +52,8 @@ def warm_up(scenario: Scenario) -> None:
     with contextlib.suppress(AftdeckError):  # the start pose may be singular
         arm.inverse(here.pose, near=scenario.initial_angles)
     look_ahead(flight, state, MOST_S, (3, 1))
-    ways_out(flight, state, (1, *(0,) * (joints - 1)), scenario.arm.model.singularities[-1:])
     _rest_of_step(flight, state)
     step(flight, state, Inputs(mode="SINGLE"))
-    ways_out(flight, state, (0,) * joints, scenario.arm.model.singularities[-1:])
     step(flight, state, None)
     state.worksite.contacts.judge(touching=True, changed=True, prong=flight.site.by_prong, mode=state.worksite.task)
     way_out_of_contact(flight, state)

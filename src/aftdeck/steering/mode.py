@@ -61,6 +61,8 @@ class Mode:
         return self.kind == "manual" and len(self.laws) > 1
 
 
+ORB_UNL = 4
+"""Number of the law of ORB UNL, for whose axes ways out are shown in modes without sticks."""
 _ORBITER = ("+X fwd", "+Y stbd", "+Z down")
 _AUTO = (2, 1, 3)
 
@@ -73,7 +75,7 @@ MODES: dict[str, Mode] = {
         Mode("AUTO 3", _AUTO, "prestored points 3", "automatic", "tip", "orbiter axes", _ORBITER),
         Mode("AUTO 4", _AUTO, "prestored points 4", "automatic", "tip", "orbiter axes", _ORBITER),
         Mode("TEST", (int(NO_LAW),), "every lamp and segment lit", "test", "none", "none", ("", "", "")),
-        Mode("ORB UNL", (4,), "tip along the orbiter's axes", "manual", "tip", "orbiter axes", _ORBITER),
+        Mode("ORB UNL", (ORB_UNL,), "tip along the orbiter's axes", "manual", "tip", "orbiter axes", _ORBITER),
         Mode(
             "END EFF", (5,), "tip along its own axes", "manual", "tip", "end effector axes",
             ("+X out", "+Y right", "+Z down"),

@@ -105,10 +105,10 @@ class Rehearsal:
         )
         if self.steps == before:
             return
-        copy.tick += self.steps - before
+        copy.tick += 1
         copy.events.clear()
         copy.panel.blocked, reached = 0, int(values[REACHED])
-        take(copy, reached)
+        take(flight, copy, reached)
         complete(flight, copy, copy.log(flight.scenario.control_period), _NO_INPUTS, reached)
         if reached < ATTACHED:
             self._note_singularity()

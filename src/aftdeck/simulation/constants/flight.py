@@ -38,7 +38,6 @@ class Flight:
         within: clearance below which a pair is measured in every step [m]; at least the distance that a part can cover
             in one step.
         reach: reach limits of the joints, as pairs of Python floats [rad].
-        soft: soft stops of the joints, as pairs of Python floats [rad].
         hard: hard stops of the joints, as pairs of Python floats [rad].
     """
 
@@ -50,7 +49,6 @@ class Flight:
     prong: Travel
     within: float
     reach: tuple[Pair, ...]
-    soft: tuple[Pair, ...]
     hard: tuple[Pair, ...]
 
     @cached_property
@@ -92,6 +90,5 @@ def run_constants(scenario: Scenario, *, gauged: bool = False) -> Flight:
         travel_of_prong(model),
         max(WATCHED, FAST * scenario.control_period),
         pairs(model.limits.reach),
-        pairs(model.limits.soft),
         pairs(model.limits.hard),
     )

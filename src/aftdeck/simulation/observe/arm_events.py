@@ -2,55 +2,45 @@
 
 from __future__ import annotations
 
-from aftdeck.kinematics.observe import SEEN, observe_near
+from aftdeck.kinematics.observe import SEEN
 from aftdeck.simulation.constants.flight import Flight
 from aftdeck.simulation.frame import AT_HARD, FREE, PAST_REACH, PAST_SOFT, Level
 from aftdeck.simulation.log import Log, joint_label
 from aftdeck.simulation.motion.ways_out import ways_out
 from aftdeck.simulation.parts.worksite_state import WorksiteState
-from aftdeck.simulation.row.scalars import LIMITS
+from aftdeck.simulation.period.observe import observe_arm
+from aftdeck.simulation.period.quick import give_limits
+from aftdeck.simulation.row.scalars import ARM, BY_JOINT, FLOWN, LIMITS, STAND_VELOCITY
 from aftdeck.simulation.state import Panel, State
+from aftdeck.steering.mode import MODES, ORB_UNL
 from aftdeck.worksite.conditions import quantity_text
 from aftdeck.worksite.watch.alarm import level_of
 from aftdeck.worksite.watch.found import CLEARANCE
 
 Zones = tuple[int, ...]
 
-TOUCHING = 1e-6
-"""Distance from a hard stop within which a joint counts as at the stop [rad]."""
 _BACK_TEXTS = {PAST_REACH: "back inside its soft stop", PAST_SOFT: "off its hard stop"}
 _ZONE_TEXTS = {FREE: "clear of its limits", PAST_REACH: "past its reach limit", PAST_SOFT: "past its soft stop",
                AT_HARD: "at its hard stop"}  # fmt: skip
 
 
 def log_arm_events(flight: Flight, state: State, log: Log, *, observed: bool) -> None:
-    """Compute the joints' zones, the nearby singularities and the clearance level, and log their changes.
+    """Log changes of the joints' zones, the nearby singularities and the clearance level.
 
     Also update the escape directions. `observed`: whether compiled code has observed the arm in this step.
     """
-    model, plant, panel = flight.scenario.arm.model, state.plant, state.panel
-    near = state.row.values[LIMITS] != 0.0 if observed else observe_near(
-        state.arm.model.links,
-        plant.angles,
-        plant.rates,
-        plant.stand.velocity,
-        model.limits.reach,
-        model.singular,
-        state.observed,
-    )  # fmt: skip
-    if not (near or panel.singular or any(panel.zones) or state.worksite.contacts.inhibit.arm):
+    panel = state.panel
+    if not observed:
+        _observe(flight, state)
+    if not (state.row.values[LIMITS] or panel.singular or any(panel.zones) or state.worksite.contacts.inhibit.arm):
         _log_clearance_level(flight, state.worksite, panel, log)
         state.ways_out = ()
         panel.advice.clear()
         return
-    zones: Zones = (FREE,) * len(plant.angles)
-    singular: tuple[str, ...] = ()
-    if near:
-        distances = state.observed[SEEN:].tolist()
-        zones = _zones(flight, plant.angles.tolist())
-        singular = tuple(
-            name for name, d in zip(model.singularities, distances, strict=True) if abs(d) < model.singular
-        )
+    model, row = flight.scenario.arm.model, state.row.limits
+    state.row.limited = True
+    zones: Zones = tuple(row.zones.tolist())
+    singular = tuple(name for name, near in zip(model.singularities, row.singular.tolist(), strict=True) if near)
     if zones != panel.zones:
         _log_zone_changes(log, flight.scenario.arm.joints, panel.zones, zones)
         panel.zones = zones
@@ -60,21 +50,18 @@ def log_arm_events(flight: Flight, state: State, log: Log, *, observed: bool) ->
         )
         panel.singular = singular
     _log_clearance_level(flight, state.worksite, panel, log)
-    state.ways_out = ways_out(flight, state, zones, singular)
+    state.ways_out = ways_out(flight, state)
 
 
-def _zones(flight: Flight, angles: list[float]) -> Zones:
-    """Return the zone of each joint."""
-    return tuple(
-        FREE
-        if reach[0] <= q <= reach[1]
-        else PAST_REACH
-        if soft[0] <= q <= soft[1]
-        else PAST_SOFT
-        if hard[0] + TOUCHING < q < hard[1] - TOUCHING
-        else AT_HARD
-        for q, reach, soft, hard in zip(angles, flight.reach, flight.soft, flight.hard, strict=True)
-    )
+def _observe(flight: Flight, state: State) -> None:
+    """Observe the arm after a step that Python code has made."""
+    panel, row = state.panel, state.row
+    scalars, mode = row.scalars, MODES[panel.mode]
+    scalars[STAND_VELOCITY], scalars[ARM] = state.plant.stand.velocity, state.worksite.contacts.inhibit.arm
+    scalars[FLOWN], scalars[BY_JOINT] = panel.flown if mode.kind == "manual" else ORB_UNL, mode.by_joint
+    give_limits(flight, state)
+    observe_arm(*flight.packed, *row.packed, state.arm.model.links, state.stick_rules)
+    row.values = scalars.tolist()
 
 
 def _log_zone_changes(log: Log, joints: tuple[str, ...], before: Zones, zones: Zones) -> None:

@@ -34,8 +34,6 @@ def acts_once(state: State, inputs: Inputs) -> bool:
         or state.checking is not None
         or panel.proceeding
         or panel.position_hold
-        or panel.singular
-        or any(panel.zones)
         or inhibit.arm
         or inhibit.finger
         or MODES[panel.mode].kind not in ("manual", "single")

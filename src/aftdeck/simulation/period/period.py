@@ -20,12 +20,12 @@ from aftdeck.simulation.row.scalars import (
     FINGER,
     GREATEST_SAME,
     LEAST_SAME,
-    LIMITS,
     MADE,
     NEAREST,
     STAND_VELOCITY,
     TASK,
     TELESCOPE,
+    TOLD,
 )
 from aftdeck.worksite.watch.found import CLEARANCE
 
@@ -46,6 +46,7 @@ def advance(
     rules: Array,
     resting: Array,
     links: Array,
+    sticks: Array,
     observes: bool,
     most: int,
 ) -> int:
@@ -60,7 +61,8 @@ def advance(
         marks: the same.
         rules: the steering's rules of the present mode, rate and law.
         resting: rules that replace `rules` while no automatic motion is in progress.
-        links: the arm's links with its shoulder at the present height.
+        links: as for `observe.observed`.
+        sticks: the same.
         observes: whether to mark the pairs that count for CLEARANCE and to observe the arm; a rehearsal does neither.
         most: greatest number of steps, all with the same commands; `MADE` is the number that were made.
 
@@ -72,12 +74,12 @@ def advance(
         arm, which has to be observed. `OBSERVED`: the step is complete.
     """
     flat = lent(fixed_numbers, fixed_indices, fixed_marks, numbers, indices, marks)
-    rules, resting, links = lend(rules), lend(resting), lend(links)
+    rules, resting, links, sticks = lend(rules), lend(resting), lend(links), lend(sticks)
     v, found, reached = motion_of(flat).scalars, watch_of(flat).found, OBSERVED
     telescope, task, made = v[TELESCOPE], v[TASK], 0
     while made < most and reached == OBSERVED:
         v[TELESCOPE] = telescope
-        reached = complete(flat, rules, resting, links, observes)
+        reached = complete(flat, rules, resting, links, sticks, observes)
         made += 1
         if reached == OBSERVED and tells(v, found, task):
             break
@@ -86,7 +88,7 @@ def advance(
 
 
 @law
-def complete(flat: Flat, rules: Array, resting: Array, links: Array, observes: bool) -> int:
+def complete(flat: Flat, rules: Array, resting: Array, links: Array, sticks: Array, observes: bool) -> int:
     """Make a control step, as far as compiled code can; the arguments and the result are those of `advance`."""
     reached = moved(flat, rules, resting)
     if reached < SEEN:
@@ -99,7 +101,7 @@ def complete(flat: Flat, rules: Array, resting: Array, links: Array, observes: b
         return ATTACHED
     if motion_of(flat).scalars[STAND_VELOCITY] != 0.0:
         return COUNTED
-    observed(flat, links)
+    observed(flat, links, sticks)
     return OBSERVED
 
 
@@ -112,7 +114,7 @@ def tells(v: Array, found: Array, task: float) -> bool:
         found: `Watch.found`.
         task: the report's mode before the step.
     """
-    if v[CHANGED] != 0.0 or v[ARM] != 0.0 or v[FINGER] != 0.0 or v[LIMITS] != 0.0 or v[TASK] != task:
+    if v[CHANGED] != 0.0 or v[ARM] != 0.0 or v[FINGER] != 0.0 or v[TOLD] != 0.0 or v[TASK] != task:
         return True
     clearance = found[int(v[NEAREST]), CLEARANCE] if v[NEAREST] >= 0.0 else FARTHEST
     return bool(clearance < v[LEAST_SAME] or clearance >= v[GREATEST_SAME])

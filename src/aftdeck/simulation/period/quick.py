@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from aftdeck.simulation.parts.worksite_state import DRIVES, Halt
-from aftdeck.simulation.period.period import COUNTED, DRIVEN, STEERED, advance
+from aftdeck.simulation.period.period import COUNTED, OBSERVED, SEEN, advance
 from aftdeck.simulation.row.scalars import (
     ALIGNED,
     ARM,
@@ -28,7 +28,7 @@ from aftdeck.simulation.row.scalars import (
     STAND_VELOCITY,
     TIME_AT,
 )
-from aftdeck.steering.mode import MODES
+from aftdeck.steering.mode import MODES, ORB_UNL
 from aftdeck.worksite.watch.contacts import UNINHIBITED, Inhibit
 
 if TYPE_CHECKING:
@@ -59,33 +59,49 @@ def quick_step(flight: Flight, state: State, inputs: Inputs, *, observes: bool, 
         *state.row.packed,
         *state.both_rules(),
         state.arm.model.links,
+        state.stick_rules,
         observes,
         most,
     )
-    take(state, reached)
-    state.tick += int(state.row.values[MADE]) - 1
+    take(flight, state, reached)
     return reached
 
 
-def take(state: State, reached: int) -> None:
-    """Take the single values of the state from its row, after compiled code has made a step as far as `reached`."""
+def take(flight: Flight, state: State, reached: int) -> None:
+    """Take the single values of the state from its row.
+
+    Args:
+        flight: constants of the run.
+        state: changed in place; its tick is that of the first step.
+        reached: how far compiled code has made the last step. What it has not reached is in the row as the step before
+            has left it.
+    """
     plant, worksite, values = state.plant, state.worksite, state.row.scalars.tolist()
-    state.row.values = values
+    state.row.values, several = values, values[MADE] > 1.0
     worksite.halt = _HALTS[int(values[HALT])]
+    state.tick += int(values[MADE]) - 1
     if values[BEGAN]:
         state.panel.motion_began = state.tick - 1
-    if reached == STEERED:
-        return
     plant.stand.position, plant.stand.velocity = values[STAND], values[STAND_VELOCITY]
-    if reached == DRIVEN:
+    if reached < SEEN and not several:
         return
     worksite.prong.position, worksite.prong.velocity = values[PRONG_AT], values[PRONG_VELOCITY]
     worksite.orbiter_rejected = False
     if state.row.floats:
         _take_flights(state)
     worksite.nearest, worksite.watch.least = int(values[NEAREST]), values[LEAST]
-    if reached >= COUNTED:
+    if reached >= COUNTED or several:
         worksite.aligned_with = None if values[ALIGNED] < 0.0 else int(values[ALIGNED])
+    if several and reached < OBSERVED:
+        take_advice(flight, state)
+
+
+def take_advice(flight: Flight, state: State) -> None:
+    """Take the stick directions that were shown last from the state's row."""
+    names = (*flight.scenario.arm.model.singularities, *flight.scenario.arm.joints)
+    for name, direction in zip(names, state.row.limits.advice.tolist(), strict=True):
+        if direction >= 0:
+            state.panel.advice[name] = direction
 
 
 def inhibit_of(state: State) -> Inhibit:
@@ -136,11 +152,26 @@ def give(flight: Flight, state: State, inputs: Inputs) -> None:
         worksite.nearest,
         -1 if worksite.aligned_with is None else worksite.aligned_with,
         *flight.same_level[panel.clearance],
+        panel.flown if kind == "manual" else ORB_UNL,
+        MODES[panel.mode].by_joint,
     )
+    give_limits(flight, state)
     floats = worksite.floating.count(None) < len(worksite.floating)
     if floats or state.row.floats:
         _give_flights(state)
         state.row.floats = floats
+
+
+def give_limits(flight: Flight, state: State) -> None:
+    """Write the limits and singularities of the step before, and the ways out that were shown, into the state's row."""
+    panel, row = state.panel, state.row
+    if not (panel.advice or panel.singular or any(panel.zones) or row.limited):
+        return
+    singularities, joints = flight.scenario.arm.model.singularities, flight.scenario.arm.joints
+    row.limits.zones[:] = panel.zones or 0
+    row.limits.singular[:] = [name in panel.singular for name in singularities]
+    row.limits.advice[:] = [panel.advice.get(name, -1) for name in (*singularities, *joints)]
+    row.limited = bool(panel.advice or panel.singular or any(panel.zones))
 
 
 def _give_flights(state: State) -> None:

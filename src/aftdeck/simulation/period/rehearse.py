@@ -12,7 +12,7 @@ from aftdeck.lent import lend
 from aftdeck.simulation.period.contact import bounded, measured, placed, still_clear
 from aftdeck.simulation.period.period import ATTACHED, SEEN, moved, settled
 from aftdeck.simulation.row.now import lent, motion_of
-from aftdeck.simulation.row.scalars import ARM, CHANGED, FLOATS, HELD, PERIOD, SLIDES, STAND_VELOCITY, WITHIN
+from aftdeck.simulation.row.scalars import ARM, CHANGED, FLOATS, HELD, MADE, PERIOD, SLIDES, STAND_VELOCITY, WITHIN
 from aftdeck.simulation.row.world import world_of
 from aftdeck.steering.layout import ANGLE, ARRIVED, DISTANCE, MOTION_ACTIVE, RATIO, REMAINING
 from aftdeck.steering.rehearsal import STANDSTILL
@@ -71,7 +71,7 @@ def rehearsed(
         near = near or now.flights[k, FLOATS] != 0.0
     within = world.constants[WITHIN] if near else CLOSE
     bound, true = -np.inf, np.empty((0, POSE))
-    values[REACHED] = ATTACHED
+    values[REACHED], v[MADE] = ATTACHED, 0.0
     for _ in range(most):
         passes = report[DISTANCE] <= values[PASSES] and report[ANGLE] <= values[PASSES_TURN]
         if report[ARRIVED] != 0.0 or report[RATIO] < STANDSTILL or passes:
@@ -87,6 +87,7 @@ def rehearsed(
             reached = settled(flat)
         values[REACHED] = reached
         values[STEPS] += 1.0
+        v[MADE] += 1.0
         if reached < ATTACHED:
             return
         time = values[STEPS] * period

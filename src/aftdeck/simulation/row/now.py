@@ -81,12 +81,30 @@ class Watch(NamedTuple):
     permitted: Mask
 
 
+class Limits(NamedTuple):
+    """Limits of the joints and singularities of a step; n joints, s singularities.
+
+    A *cause* is a singularity that is near, or a joint past a limit: all singularities, then all joints.
+
+    Attributes:
+        zones: (n,) zone of each joint (`simulation.frame`).
+        singular: (s,) 1 for singularities that are near.
+        advice: (s + n,) stick direction that was shown last for each cause; -1 for none.
+        ways: (s + n, 3) way out of each cause (`period.ways`).
+    """
+
+    zones: Indices
+    singular: Indices
+    advice: Indices
+    ways: Indices
+
+
 NUMBERS = (
     "scalars", "angles", "rates", "commanded", "base", "orbiter", "orbiter_velocity", "poses_in_carrier", "frames",
     "before", "flights", "steering", "command", "report", "observed", "at", "placed", "bound", "memory", "found",
 )  # fmt: skip
 """Parts of the row's float64, in their order."""
-INDICES = ("carrier", "likely")
+INDICES = ("carrier", "likely", "zones", "singular", "advice", "ways")
 """Parts of its int64."""
 MARKS = ("near", "active", "counts", "monitored_before", "frames_touching", "essential", "arm", "permitted")
 """Parts of its uint8."""
@@ -114,6 +132,8 @@ def tables_of(layout: Layout, joints: int, singularities: int, payloads: int) ->
         "report": (REPORT,), "observed": (SEEN + singularities,), "at": frames,
         "placed": (len(layout.solids), SOLID), "bound": groups, "memory": (len(layout.pairs), PAIR),
         "found": (*groups, FOUND), "carrier": (payloads,), "likely": groups,
+        "zones": (joints,), "singular": (singularities,), "advice": (singularities + joints,),
+        "ways": (singularities + joints, 3),
     }  # fmt: skip
     return Tables(*(table_of(shapes.get(name, groups) for name in names) for names in (NUMBERS, INDICES, MARKS)))
 
@@ -162,3 +182,10 @@ def watch_of(flat: Flat) -> Watch:
 def monitor_of(watch: Watch) -> Measured:
     """Return the arrays of the clearance monitor."""
     return Measured(watch.at, watch.placed, watch.bound, watch.likely, watch.memory, watch.found, watch.near)
+
+
+@law
+def limits_of(flat: Flat) -> Limits:
+    """Return the limits of a row."""
+    indices, whole = flat.indices, table(flat.fixed_indices, ROW + 1)
+    return Limits(line(indices, whole, 2), line(indices, whole, 3), line(indices, whole, 4), block(indices, whole, 5))

@@ -9,7 +9,7 @@ import numpy as np
 
 from aftdeck.flat import parts, size
 from aftdeck.kinematics.observe import SEEN
-from aftdeck.simulation.row.now import INDICES, MARKS, NUMBERS, Tables, tables_of
+from aftdeck.simulation.row.now import INDICES, MARKS, NUMBERS, Limits, Tables, tables_of
 from aftdeck.simulation.row.scalars import GIVEN
 from aftdeck.steering.layout import LAW, MOTION_ACTIVE
 
@@ -39,6 +39,8 @@ class Row:
         values: the scalars after the last step, as Python's numbers.
         flights: (c, 39) free flights, filled before a step in which a payload floats.
         floats: whether a payload floats according to `flights`.
+        limits: the parts that `now.Limits` describes.
+        limited: whether `limits` may have zones, singularities or advice.
         packed: the three flat arrays.
     """
 
@@ -56,7 +58,9 @@ class Row:
             for name, part in zip(names, parts(flat, table), strict=True)
         }
         self.scalars, self.flights = self._parts["scalars"], self._parts["flights"]
-        self.floats, self.values = False, self.scalars.tolist()
+        self.limits = Limits(*(self._parts[name] for name in Limits._fields))
+        self.limits.advice[:] = -1
+        self.floats, self.limited, self.values = False, False, self.scalars.tolist()
         self._given, self._ordered = self.scalars.data.cast("B"), self._parts["command"].data.cast("B")
         self.packed = self.numbers, self.indices, self.marks
 

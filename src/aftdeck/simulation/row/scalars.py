@@ -43,25 +43,31 @@ ALIGNED = 21
 """Payload with which the end effector is aligned for capture; -1 for none. Replaced by that after the step."""
 LEAST_SAME, GREATEST_SAME = 22, 23
 """Minimum clearances from the first to below the second do not change the alarm level [m]."""
-GIVEN = 24
+FLOWN = 24
+"""Number of the law for which stick directions are evaluated: of the present mode if it is manual, else of ORB UNL."""
+BY_JOINT = 25
+"""1 in a mode that moves single joints."""
+GIVEN = 26
 """Number of the values above, which are set before a step."""
 
 # of a step, after it
-HALT = 24
+HALT = 26
 """What blocked the commanded motion: 0 nothing, 1 a berth, 2 a switch."""
-BEGAN = 25
+BEGAN = 27
 """1 if an automatic motion began in this step."""
-TOUCHING, CHANGED = 26, 27
+TOUCHING, CHANGED = 28, 29
 """1 if a pair is in contact; 1 if a contact began, ended or reached its second step."""
-ARM, FINGER = 28, 29
+ARM, FINGER = 30, 31
 """1 if a contact inhibits the arm; 1 if one inhibits the prong."""
-LEAST = 30
+LEAST = 32
 """Lower bound of the measured clearances [m]."""
-LIMITS = 31
+LIMITS = 33
 """1 if a joint is past its reach limit or a singularity is near."""
-MADE = 32
+TOLD = 34
+"""1 if zones or near singularities have changed, or a cause has a way out by a stick that had none."""
+MADE = 35
 """Number of control steps that were made."""
-SCALARS = 33
+SCALARS = 36
 
 # constants of a run
 PERIOD = 0

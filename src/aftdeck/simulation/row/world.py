@@ -35,6 +35,8 @@ class World(NamedTuple):
         axes: `Site.axes`.
         stops: (n, 2) hard stops [rad].
         reach: (n, 2) reach limits [rad].
+        soft: (n, 2) soft stops [rad].
+        links: the arm's links.
         bay: (2, 3) `Site.bay`; (0, 3) without a bay.
         effector: (12,) `Site.effector`.
         fixtures: (c, 12) `Snares.fixtures`, NaN for a payload without one; (0, 12) without snares.
@@ -66,6 +68,8 @@ class World(NamedTuple):
     axes: Array
     stops: Array
     reach: Array
+    soft: Array
+    links: Array
     bay: Array
     effector: Array
     fixtures: Array
@@ -97,7 +101,7 @@ probe's face [m]; greatest distance [m] and angle [rad] at which the port docks 
 PORT_SIZE = 38
 ROUNDING = 1e-9
 """Added to a limit below which a measured length is never rejected [m]: more than a rounding error."""
-WORLD_NUMBERS, WORLD_INDICES, WORLD_MARKS = 13, 10, 6
+WORLD_NUMBERS, WORLD_INDICES, WORLD_MARKS = 15, 10, 6
 """Number of fields of `World` that are float64, int64 and uint8."""
 
 
@@ -133,6 +137,8 @@ def world_arrays(flight: Flight) -> World:
         site.axes,
         limits.hard,
         limits.reach,
+        limits.soft,
+        scenario.arm.model.links,
         np.zeros((0, 3)) if site.bay is None else site.bay,
         site.effector,
         np.zeros((0, POSE)) if snares is None else _fixtures(snares),
@@ -192,8 +198,8 @@ def world_of(flat: Flat) -> World:
     return World(
         line(numbers, own, 0), block(numbers, own, 1), line(numbers, own, 2), block(numbers, own, 3),
         block(numbers, own, 4), block(numbers, own, 5), block(numbers, own, 6), line(numbers, own, 7),
-        block(numbers, own, 8), line(numbers, own, 9), block(numbers, own, 10), block(numbers, own, 11),
-        block(numbers, own, 12),
+        block(numbers, own, 8), line(numbers, own, 9), block(numbers, own, 10), line(numbers, own, 11),
+        block(numbers, own, 12), block(numbers, own, 13), block(numbers, own, 14),
         block(rest, whole, 0), line(rest, whole, 1), line(rest, whole, 2), line(rest, whole, 3), line(rest, whole, 4),
         line(rest, whole, 5), line(rest, whole, 6), line(rest, whole, 7), line(rest, whole, 8), line(rest, whole, 9),
         line(marks, flags, 0), line(marks, flags, 1), line(marks, flags, 2), line(marks, flags, 3),
