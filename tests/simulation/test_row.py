@@ -51,7 +51,7 @@ def test_the_arrays_of_a_state_are_the_parts_of_its_row(name: str) -> None:
     assert set(parts) == {*NUMBERS, *INDICES, *MARKS} == {*Motion._fields, *Watch._fields, *Limits._fields}
     owners = (state, state.plant, worksite, worksite.contacts, worksite.watch)
     for name_of, part in parts.items():
-        if name_of in ("scalars", "flights", *Limits._fields):
+        if name_of in ("scalars", "flights", "snare", *Limits._fields):
             continue
         attribute = "count" if name_of == "frames_touching" else name_of
         (own,) = [

@@ -29,9 +29,10 @@ from aftdeck.simulation.payloads.surroundings import follow_bodies
 from aftdeck.simulation.payloads.task_phases import change_task, task_of
 from aftdeck.simulation.period.period import JUDGED, SEEN, contacts
 from aftdeck.simulation.period.quick import inhibit_of
-from aftdeck.simulation.row.scalars import CHANGED, LEAST, NEAREST, PRONG_AT, STAND, TASK, TOUCHING
+from aftdeck.simulation.row.scalars import CHANGED, LEAST, NEAREST, PRONG_AT, STAND, TASK, TOUCHING, WORKS
 from aftdeck.simulation.state import State
 from aftdeck.tuples import Vec3
+from aftdeck.worksite.capture.effector import RESTS
 from aftdeck.worksite.free_flight import translate
 from aftdeck.worksite.watch.contact_motion import looked_at, relieves, worst_new_contact
 from aftdeck.worksite.watch.contacts import FRAMES, Inhibit
@@ -61,7 +62,8 @@ def update_worksite(flight: Flight, state: State, log: Log, inputs: Inputs, reac
     elif worksite.advice is not None:
         worksite.advice = None
     if reached > JUDGED:
-        if inputs.effector is not None or inputs.rigid is not None:  # the log tells why the end effector does not move
+        pressed = inputs.effector is not None or inputs.rigid is not None
+        if pressed and state.row.values[WORKS] == RESTS:  # the log tells why the end effector does not move
             capture(flight, worksite, plant, state.panel, log, inputs, attached=state.script.attached > 0)
         change_task(worksite, int(state.row.values[TASK]), log)
         return

@@ -2,19 +2,25 @@
 
 from __future__ import annotations
 
+from math import sqrt
+
 import numpy as np
 
 from aftdeck.bodies.pose import POSE, compose
 from aftdeck.law import large_law, law
 from aftdeck.simulation.payloads.task_phases import ACQUISITION, DOCKED, EXTRACTION, MANOEUVRING
+from aftdeck.simulation.row.aligning import Aligning, aligning_of
 from aftdeck.simulation.row.now import Flat, Motion, motion_of, watch_of
 from aftdeck.simulation.row.scalars import (
     AT_PORT,
+    CONTR,
     FIXED,
     FIXED_FINGER,
     HELD,
+    PERIOD,
     PRONG_AT,
     RELEASED,
+    SNARE_MODE,
     SPACING,
     TASK,
     WORKS,
@@ -23,6 +29,10 @@ from aftdeck.simulation.row.world import ENVELOPE, MOST, MOST_ANGLE, ONLY_Y, POR
 from aftdeck.worksite.berths.docking import BEFORE, DISTANCE, FOUND, INSIDE, TURNED, approach
 from aftdeck.worksite.berths.on_way import NEAR
 from aftdeck.worksite.capture.acquisition import acquired_bar
+from aftdeck.worksite.capture.effector import BEGINS, MOVES
+from aftdeck.worksite.capture.grapple import inside_envelope
+from aftdeck.worksite.capture.snare import CAPTURED, CAPTURES, DRAWN, MOTION, RING, ends_motion, next_part, travel
+from aftdeck.worksite.capture.snares import fixture_in_effector
 from aftdeck.worksite.watch.bay import any_inside
 from aftdeck.worksite.watch.places import nearest_place
 
@@ -33,7 +43,7 @@ def attached(flat: Flat) -> bool:
     world, now, watch = world_of(flat), motion_of(flat), watch_of(flat)
     v, c = now.scalars, world.constants
     held = int(v[HELD])
-    captures = v[WORKS] != 0.0
+    captures = v[WORKS] == BEGINS
     if len(world.bars) > 0:
         if held >= 0:
             captures = captures or c[FIXED_FINGER] - v[PRONG_AT] > c[SPACING]
@@ -54,7 +64,43 @@ def attached(flat: Flat) -> bool:
             solids = world.bodies[world.body_begins[held] : world.body_begins[held + 1]]
             inside = any_inside(watch.placed, solids, world.scene, world.bay[0], world.bay[1])
         v[TASK] = EXTRACTION if inside else MANOEUVRING
-    return bool(captures or berths)
+    if captures or berths:
+        return True
+    return v[WORKS] == MOVES and not _snares_move(world, aligning_of(flat), now, held)
+
+
+@law
+def _snares_move(world: World, aligning: Aligning, now: Motion, held: int) -> bool:
+    """Move snares and carriage; return False, with nothing changed, if a part arrives or a payload is drawn."""
+    mode, contr = int(now.scalars[SNARE_MODE]), int(now.scalars[CONTR])
+    part, _ = next_part(now.snare, mode, contr)
+    if part < 0 or ends_motion(now.snare, mode) or (now.snare[CAPTURED] != 0.0) == (held < 0):
+        return False
+    closes = part == RING and now.snare[MOTION] == CAPTURES and held < 0
+    moved = now.snare.copy()
+    inside = closes and _pin_inside(world, aligning, now)
+    if travel(moved, world.snare_times, mode, contr, world.constants[PERIOD], inside) >= 0.0:
+        return False
+    if held >= 0 and moved[DRAWN] != now.snare[DRAWN]:
+        return False
+    now.snare[:] = moved
+    return True
+
+
+@law
+def _pin_inside(world: World, aligning: Aligning, now: Motion) -> bool:
+    """Return whether the nearest fixture is within the capture envelope."""
+    inside, nearest = False, np.inf
+    for k in range(len(world.fixtures)):
+        if world.fixtures[k, 0] != world.fixtures[k, 0]:  # NaN: no fixture
+            continue
+        (out, y, z), turned = fixture_in_effector(
+            now.frames, world.hand[0], world.effector, world.rows[k], world.fixtures[k]
+        )
+        away = sqrt(out * out + y * y + z * z)
+        if away < nearest:
+            nearest, inside = away, inside_envelope(aligning.envelope, out, y, z, turned)
+    return inside
 
 
 @law

@@ -27,8 +27,11 @@ from aftdeck.simulation.row.scalars import (
     STAND,
     STAND_VELOCITY,
     TIME_AT,
+    WORKS,
 )
 from aftdeck.steering.mode import MODES, ORB_UNL
+from aftdeck.worksite.capture.effector import BEGINS, MOVES, RESTS
+from aftdeck.worksite.capture.snare import AUTO, MAN, unpacked
 from aftdeck.worksite.watch.contacts import UNINHIBITED, Inhibit
 
 if TYPE_CHECKING:
@@ -36,6 +39,8 @@ if TYPE_CHECKING:
     from aftdeck.simulation.inputs import Inputs
     from aftdeck.simulation.state import State
 
+RIGID_POSITIONS = ("off", "rigid", "derigid")
+"""Positions of MAN CONTR, in the order of `snare.CONTRS`."""
 _HALTS: tuple[Halt, ...] = ("", "seat", "switch")
 """What stopped the arm, by the number in `HALT`."""
 
@@ -90,6 +95,8 @@ def take(flight: Flight, state: State, reached: int) -> None:
     if state.row.floats:
         _take_flights(state)
     worksite.nearest, worksite.watch.least = int(values[NEAREST]), values[LEAST]
+    if values[WORKS] == MOVES:
+        worksite.snare = unpacked(state.row.snare)
     if reached >= COUNTED or several:
         worksite.aligned_with = None if values[ALIGNED] < 0.0 else int(values[ALIGNED])
     if several and reached < OBSERVED:
@@ -120,11 +127,15 @@ def give(flight: Flight, state: State, inputs: Inputs) -> None:
     if held is not None:
         payload = worksite.payloads[held]
         released, docked = payload.released_from, bool(payload.berth) and site.berth(payload.berth).docks
-    works, pressed = inputs.latch is not None, inputs.effector is not None
-    if (pressed or worksite.snare.motion or worksite.rigid != "off") and site.capture is not None:
-        works = works or (not state.script.attached and site.capture.acts(worksite.controls(pressed=pressed)))
-    for payload in worksite.payloads:
-        works = works or bool(payload.latches.motion)
+    works, pressed = RESTS, inputs.effector is not None
+    if (pressed or worksite.snare.motion or worksite.rigid != "off") and not (
+        site.capture is None or state.script.attached
+    ):
+        works = site.capture.acts(worksite.controls(pressed=pressed))
+    if inputs.latch is not None or any(payload.latches.motion for payload in worksite.payloads):
+        works = BEGINS
+    if works == MOVES:
+        state.row.snare[:] = worksite.snare.packed
     x, y, z = inputs.orbiter
     if not (orbits := bool(x or y or z)) and site.worksite.translation is not None:
         orbits = bool(worksite.orbiter_velocity.any())
@@ -154,6 +165,8 @@ def give(flight: Flight, state: State, inputs: Inputs) -> None:
         *flight.same_level[panel.clearance],
         panel.flown if kind == "manual" else ORB_UNL,
         MODES[panel.mode].by_joint,
+        AUTO if worksite.effector_mode == "auto" else MAN,
+        RIGID_POSITIONS.index(worksite.rigid),
     )
     give_limits(flight, state)
     floats = worksite.floating.count(None) < len(worksite.floating)

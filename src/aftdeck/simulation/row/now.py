@@ -13,6 +13,7 @@ from aftdeck.law import law
 from aftdeck.lent import lend, lend_block
 from aftdeck.simulation.row.scalars import FLOATING, SCALARS
 from aftdeck.steering.layout import COMMAND, REPORT, STATE
+from aftdeck.worksite.capture.snare import SNARE
 from aftdeck.worksite.watch.clearance_monitor import Measured
 from aftdeck.worksite.watch.found import FOUND
 from aftdeck.worksite.watch.groups import SOLID, Layout
@@ -56,6 +57,7 @@ class Motion(NamedTuple):
     command: Array
     report: Array
     observed: Array
+    snare: Array
     carrier: Indices
 
 
@@ -102,6 +104,7 @@ class Limits(NamedTuple):
 NUMBERS = (
     "scalars", "angles", "rates", "commanded", "base", "orbiter", "orbiter_velocity", "poses_in_carrier", "frames",
     "before", "flights", "steering", "command", "report", "observed", "at", "placed", "bound", "memory", "found",
+    "snare",
 )  # fmt: skip
 """Parts of the row's float64, in their order."""
 INDICES = ("carrier", "likely", "zones", "singular", "advice", "ways")
@@ -131,7 +134,7 @@ def tables_of(layout: Layout, joints: int, singularities: int, payloads: int) ->
         "before": frames, "flights": (payloads, FLOATING), "steering": (STATE,), "command": (COMMAND,),
         "report": (REPORT,), "observed": (SEEN + singularities,), "at": frames,
         "placed": (len(layout.solids), SOLID), "bound": groups, "memory": (len(layout.pairs), PAIR),
-        "found": (*groups, FOUND), "carrier": (payloads,), "likely": groups,
+        "found": (*groups, FOUND), "snare": (SNARE,), "carrier": (payloads,), "likely": groups,
         "zones": (joints,), "singular": (singularities,), "advice": (singularities + joints,),
         "ways": (singularities + joints, 3),
     }  # fmt: skip
@@ -161,7 +164,8 @@ def motion_of(flat: Flat) -> Motion:
         line(numbers, own, 0), line(numbers, own, 1), line(numbers, own, 2), line(numbers, own, 3),
         line(numbers, own, 4), line(numbers, own, 5), line(numbers, own, 6), block(numbers, own, 7),
         block(numbers, own, 8), block(numbers, own, 9), block(numbers, own, 10), line(numbers, own, 11),
-        line(numbers, own, 12), line(numbers, own, 13), line(numbers, own, 14), line(flat.indices, whole, 0),
+        line(numbers, own, 12), line(numbers, own, 13), line(numbers, own, 14), line(numbers, own, 20),
+        line(flat.indices, whole, 0),
     )  # fmt: skip
 
 

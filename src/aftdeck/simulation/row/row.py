@@ -39,6 +39,7 @@ class Row:
         values: the scalars after the last step, as Python's numbers.
         flights: (c, 39) free flights, filled before a step in which a payload floats.
         floats: whether a payload floats according to `flights`.
+        snare: the part that is `Snare.packed`.
         limits: the parts that `now.Limits` describes.
         limited: whether `limits` may have zones, singularities or advice.
         packed: the three flat arrays.
@@ -58,6 +59,7 @@ class Row:
             for name, part in zip(names, parts(flat, table), strict=True)
         }
         self.scalars, self.flights = self._parts["scalars"], self._parts["flights"]
+        self.snare = self._parts["snare"]
         self.limits = Limits(*(self._parts[name] for name in Limits._fields))
         self.limits.advice[:] = -1
         self.floats, self.limited, self.values = False, False, self.scalars.tolist()

@@ -34,7 +34,8 @@ INHIBITED, STOPPED = 15, 16
 ORBITS = 17
 """1 if the orbiter translates."""
 WORKS = 18
-"""1 if the end effector or latches move, or a switch commands them to."""
+"""1 if latches move, or if a switch begins a motion of latches or of the end effector; 2 if only the end effector goes on
+moving (`capture.effector`)."""
 TASK = 19
 """The report's mode, 1 to 4; replaced by the mode after the step, if nothing is captured or fixed in it."""
 NEAREST = 20
@@ -47,27 +48,29 @@ FLOWN = 24
 """Number of the law for which stick directions are evaluated: of the present mode if it is manual, else of ORB UNL."""
 BY_JOINT = 25
 """1 in a mode that moves single joints."""
-GIVEN = 26
+SNARE_MODE, CONTR = 26, 27
+"""Positions of END EFFECTOR MODE and MAN CONTR (`capture.snare`)."""
+GIVEN = 28
 """Number of the values above, which are set before a step."""
 
 # of a step, after it
-HALT = 26
+HALT = 28
 """What blocked the commanded motion: 0 nothing, 1 a berth, 2 a switch."""
-BEGAN = 27
+BEGAN = 29
 """1 if an automatic motion began in this step."""
-TOUCHING, CHANGED = 28, 29
+TOUCHING, CHANGED = 30, 31
 """1 if a pair is in contact; 1 if a contact began, ended or reached its second step."""
-ARM, FINGER = 30, 31
+ARM, FINGER = 32, 33
 """1 if a contact inhibits the arm; 1 if one inhibits the prong."""
-LEAST = 32
+LEAST = 34
 """Lower bound of the measured clearances [m]."""
-LIMITS = 33
+LIMITS = 35
 """1 if a joint is past its reach limit or a singularity is near."""
-TOLD = 34
+TOLD = 36
 """1 if zones or near singularities have changed, or a cause has a way out by a stick that had none."""
-MADE = 35
+MADE = 37
 """Number of control steps that were made."""
-SCALARS = 36
+SCALARS = 38
 
 # constants of a run
 PERIOD = 0

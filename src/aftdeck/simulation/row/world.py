@@ -41,6 +41,7 @@ class World(NamedTuple):
         effector: (12,) `Site.effector`.
         fixtures: (c, 12) `Snares.fixtures`, NaN for a payload without one; (0, 12) without snares.
         tolerances: (5,) `Bar.packed`; (0,) without a prong.
+        snare_times: (3,) `SnareTimes.packed`; (0,) without snares.
         places: (b, 12) `Site.berth_places` of all payloads, one after the other.
         ports: (b, 38) `PortFit` of each of these berths, packed (`PORT` to `ONLY_Y`); zeros for a berth without a port.
         probes: (p, 3) `PortFit.probe` of these berths, one after the other [m].
@@ -74,6 +75,7 @@ class World(NamedTuple):
     effector: Array
     fixtures: Array
     tolerances: Array
+    snare_times: Array
     places: Array
     ports: Array
     probes: Array
@@ -101,7 +103,7 @@ probe's face [m]; greatest distance [m] and angle [rad] at which the port docks 
 PORT_SIZE = 38
 ROUNDING = 1e-9
 """Added to a limit below which a measured length is never rejected [m]: more than a rounding error."""
-WORLD_NUMBERS, WORLD_INDICES, WORLD_MARKS = 15, 10, 6
+WORLD_NUMBERS, WORLD_INDICES, WORLD_MARKS = 16, 10, 6
 """Number of fields of `World` that are float64, int64 and uint8."""
 
 
@@ -143,6 +145,7 @@ def world_arrays(flight: Flight) -> World:
         site.effector,
         np.zeros((0, POSE)) if snares is None else _fixtures(snares),
         np.zeros(0) if bar is None else bar.packed,
+        np.zeros(0) if snares is None else snares.times.packed,
         np.array([fit.place for fit in fits]).reshape(-1, POSE),
         np.array([_port(fit) for fit in fits]).reshape(-1, PORT_SIZE),
         np.concatenate([np.zeros((0, 3)), *probes]),
@@ -199,7 +202,7 @@ def world_of(flat: Flat) -> World:
         line(numbers, own, 0), block(numbers, own, 1), line(numbers, own, 2), block(numbers, own, 3),
         block(numbers, own, 4), block(numbers, own, 5), block(numbers, own, 6), line(numbers, own, 7),
         block(numbers, own, 8), line(numbers, own, 9), block(numbers, own, 10), line(numbers, own, 11),
-        block(numbers, own, 12), block(numbers, own, 13), block(numbers, own, 14),
+        line(numbers, own, 12), block(numbers, own, 13), block(numbers, own, 14), block(numbers, own, 15),
         block(rest, whole, 0), line(rest, whole, 1), line(rest, whole, 2), line(rest, whole, 3), line(rest, whole, 4),
         line(rest, whole, 5), line(rest, whole, 6), line(rest, whole, 7), line(rest, whole, 8), line(rest, whole, 9),
         line(marks, flags, 0), line(marks, flags, 1), line(marks, flags, 2), line(marks, flags, 3),

@@ -24,6 +24,14 @@ from aftdeck.worksite.relation import Meeting, Relation
 from aftdeck.worksite.report import Motion
 from aftdeck.worksite.tables import Table, Text
 
+Acts = Literal[0, 1, 2]
+RESTS: Acts = 0
+"""Nothing moves; `EndEffector.step` only tells why."""
+BEGINS: Acts = 1
+"""A switch begins a motion."""
+MOVES: Acts = 2
+"""A motion goes on."""
+
 
 class MadeFor(NamedTuple):
     """Arm, payloads and frames for which an end effector's constants are made.
@@ -126,10 +134,10 @@ class EndEffector(ABC):
     def permits(self, frames: Array, placed: Array, meeting: Meeting) -> bool:
         """Return whether payload and end effector, whose pair has the relation `relation`, may touch as they are."""
 
-    def acts(self, controls: Controls) -> bool:
-        """Return whether the controls move the end effector in this step; if not, `step` only tells why."""
+    def acts(self, controls: Controls) -> Acts:
+        """Return what the controls do to the end effector in this step."""
         del controls
-        return False
+        return RESTS
 
     @abstractmethod
     def step(

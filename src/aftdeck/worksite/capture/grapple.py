@@ -63,6 +63,12 @@ def around_axis(envelope: Array, y: float, z: float, turned: Rows, wide: float) 
     )
 
 
+@law
+def inside_envelope(envelope: Array, out: float, y: float, z: float, turned: Rows) -> bool:
+    """Return whether all conditions of `in_envelope` hold; `out`: position along axis 1 [m], others as `around_axis`."""
+    return bool(envelope[NEAREST] <= out <= envelope[FARTHEST]) and around_axis(envelope, y, z, turned, 1.0)
+
+
 def in_envelope(fixture: tuple[Vec3, Rows], envelope: CaptureEnvelope) -> tuple[Condition, ...]:
     """Return the conditions of capture.
 

@@ -17,7 +17,10 @@ from collections.abc import Sequence
 from typing import Literal, NamedTuple
 
 import msgspec
+import numpy as np
 
+from aftdeck.arrays import Array
+from aftdeck.law import law
 from aftdeck.worksite.conditions import Condition, Units, all_hold, failure_text
 from aftdeck.worksite.log_line import LogLine, rejection
 
@@ -37,6 +40,11 @@ class SnareTimes(msgspec.Struct, frozen=True):
     """Time to retract or extend the carriage [s]; SSV has 7 s [S]."""
     tension: float
     """Time to rigidize or derigidize [s]; SSV has 4 s [S]."""
+
+    @property
+    def packed(self) -> Array:
+        """The times as an array (3,)."""
+        return np.array([self.ring, self.carriage, self.tension])
 
 
 class SnareCommand(msgspec.Struct, frozen=True):
@@ -72,6 +80,30 @@ class Snare(msgspec.Struct, frozen=True):
     def misaligned(self) -> float:
         """Share of the misalignment at capture that the carriage has not yet removed."""
         return 1.0 - self.drawn
+
+    @property
+    def packed(self) -> Array:
+        """The state as an array (7,)."""
+        motion = float(MOTIONS.index(self.motion))
+        return np.array([self.ring, self.carriage, self.tension, self.captured, self.drawn, self.met, motion])
+
+
+RING, CARRIAGE, TENSION, CAPTURED, DRAWN, MET, MOTION = range(7)
+SNARE = 7
+"""Indices in `Snare.packed`, and its length; the first three also in `SnareTimes.packed` and `PARTS`."""
+PARTS: tuple[Part, ...] = ("ring", "carriage", "tension")
+MODES: tuple[Mode, ...] = ("AUTO", "OFF", "MAN")
+AUTO, OFF, MAN = range(3)
+CONTRS = ("OFF", "RIGID", "DERIGID")
+RIGIDIZES, DERIGIDIZES = 1, 2
+MOTIONS: tuple[Literal["", "capture", "release"], ...] = ("", "capture", "release")
+CAPTURES, RELEASES = 1, 2
+
+
+def unpacked(numbers: Array) -> Snare:
+    """Return the state from its array (7,)."""
+    ring, carriage, tension, captured, drawn, met, motion = numbers.tolist()
+    return Snare(ring, carriage, tension, captured != 0.0, drawn, met != 0.0, MOTIONS[int(motion)])
 
 
 RIGID = Snare(ring=1.0, carriage=1.0, tension=1.0, captured=True, drawn=1.0)
@@ -131,15 +163,13 @@ def advance(
     snare = _without_ended_motion(snare, command.mode)
     while stage := next_stage(snare, command):
         part, target = stage
-        speed = 1.0 / float(getattr(times, part))
-        before = float(getattr(snare, part))
-        if part == "ring" and target == 1.0:
-            snare = msgspec.structs.replace(snare, met=snare.met or _inside(conditions))
-        if abs(target - before) > left * speed + _NO_TRAVEL:
-            snare = _put(snare, part, before + (left * speed if target > before else -left * speed))
+        numbers = snare.packed
+        left = travel(
+            numbers, times.packed, MODES.index(command.mode), CONTRS.index(command.contr), left, _inside(conditions)
+        )
+        snare = unpacked(numbers)
+        if left < 0.0:
             break
-        snare = _put(snare, part, target)
-        left = max(0.0, left - abs(target - before) / speed)
         snare, more = _reached(snare, part, target, conditions, units)
         snare = _without_ended_motion(snare, command.mode)
         lines += more
@@ -170,44 +200,89 @@ def refusal(snare: Snare, command: SnareCommand) -> str:
 
 def next_stage(snare: Snare, command: SnareCommand) -> tuple[Part, float] | None:
     """Return the part that moves next, and its target; None if nothing moves."""
-    if command.mode == "OFF":
-        return None
-    auto = command.mode == "AUTO"
-    if snare.motion == "capture" and snare.ring < 1.0:
-        return "ring", 1.0
-    if snare.motion == "release" and not auto:
-        return "ring", 0.0
-    if snare.motion == "capture" if auto else command.contr == "RIGID":
-        return _next(snare, ("carriage", "tension"), 1.0)
-    if snare.motion == "release" if auto else command.contr == "DERIGID":
-        return _next(snare, ("tension", "carriage", "ring") if auto else ("tension", "carriage"), 0.0)
-    return None
+    part, target = next_part(snare.packed, MODES.index(command.mode), CONTRS.index(command.contr))
+    return None if part < 0 else (PARTS[part], target)
+
+
+@law
+def next_part(snare: Array, mode: int, contr: int) -> tuple[int, float]:
+    """Return the index of the part that moves next, and its target; -1 if nothing moves.
+
+    Args:
+        snare: (7,) `Snare.packed`.
+        mode: index of END EFFECTOR MODE in `MODES`.
+        contr: index of MAN CONTR in `CONTRS`.
+    """
+    auto, motion = mode == AUTO, snare[MOTION]
+    if mode == OFF:
+        return -1, 0.0
+    if motion == CAPTURES and snare[RING] < 1.0:
+        return RING, 1.0
+    if motion == RELEASES and not auto:
+        return RING, 0.0
+    if motion == CAPTURES if auto else contr == RIGIDIZES:
+        if snare[CARRIAGE] != 1.0:
+            return CARRIAGE, 1.0
+        return (TENSION, 1.0) if snare[TENSION] != 1.0 else (-1, 0.0)
+    if motion == RELEASES if auto else contr == DERIGIDIZES:
+        if snare[TENSION] != 0.0:
+            return TENSION, 0.0
+        if snare[CARRIAGE] != 0.0:
+            return CARRIAGE, 0.0
+        return (RING, 0.0) if auto and snare[RING] != 0.0 else (-1, 0.0)
+    return -1, 0.0
+
+
+@law
+def travel(snare: Array, times: Array, mode: int, contr: int, dt: float, inside: bool) -> float:
+    """Move the part that moves next towards its target, for the time `dt` [s] or until it arrives.
+
+    Args:
+        snare: (7,) `Snare.packed`; changed.
+        times: (3,) `SnareTimes.packed`.
+        mode: as for `next_part`.
+        contr: the same.
+        dt: greatest time [s].
+        inside: whether a fixture is near and within the envelope; only used while the ring is closing.
+
+    Returns:
+        The time that is left once the part has arrived [s]; negative if it has not arrived, or if nothing moves.
+    """
+    part, target = next_part(snare, mode, contr)
+    if part < 0:
+        return -1.0
+    speed, before = 1.0 / times[part], snare[part]
+    if part == RING and target == 1.0 and inside:
+        snare[MET] = 1.0
+    arrives = not abs(target - before) > dt * speed + _NO_TRAVEL
+    if arrives:
+        snare[part] = target
+    else:
+        snare[part] = before + (dt * speed if target > before else -dt * speed)
+    if part == CARRIAGE and snare[CAPTURED] != 0.0 and snare[part] > snare[DRAWN]:
+        snare[DRAWN] = snare[part]
+    return max(0.0, dt - abs(target - before) / speed) if arrives else -1.0
+
+
+@law
+def ends_motion(snare: Array, mode: int) -> bool:
+    """Return whether a sequence ends, because the mode prevents it, or because its motion has ended in MAN."""
+    if snare[MOTION] == 0.0:
+        return False
+    if mode == MAN and snare[MOTION] == CAPTURES:
+        return bool(snare[RING] == 1.0)
+    extended = snare[CARRIAGE] == 0.0 and snare[TENSION] == 0.0
+    return bool(mode == OFF or (mode == MAN and (not extended or snare[RING] == 0.0)))
 
 
 def _without_ended_motion(snare: Snare, mode: Mode) -> Snare:
-    """Return the state, with `motion` empty if the mode prevents the motion, or if the motion has ended in MAN."""
-    ends = mode == "OFF" or (
-        mode == "MAN"
-        and (snare.ring == 1.0 if snare.motion == "capture" else not _extended(snare) or snare.ring == 0.0)
-    )
-    return msgspec.structs.replace(snare, motion="") if ends and snare.motion else snare
+    """Return the state, with `motion` empty if the sequence ends."""
+    return msgspec.structs.replace(snare, motion="") if ends_motion(snare.packed, MODES.index(mode)) else snare
 
 
 def _extended(snare: Snare) -> bool:
     """Return whether the carriage is extended and derigidized, so that the snares may open and close."""
     return snare.carriage == 0.0 and snare.tension == 0.0
-
-
-def _next(snare: Snare, parts: tuple[Part, ...], target: float) -> tuple[Part, float] | None:
-    """Return the first part that is not at the target, and the target; None if all parts are at the target."""
-    return next(((part, target) for part in parts if getattr(snare, part) != target), None)
-
-
-def _put(snare: Snare, part: Part, value: float) -> Snare:
-    snare = msgspec.structs.replace(snare, **{part: value})
-    if part == "carriage" and snare.captured and value > snare.drawn:
-        snare = msgspec.structs.replace(snare, drawn=value)
-    return snare
 
 
 def _inside(conditions: Sequence[Condition]) -> bool:

@@ -15,7 +15,18 @@ from aftdeck.law import law
 from aftdeck.matrices import length
 from aftdeck.tuples import Rows, Vec3
 from aftdeck.units import Angle, Length, Time
-from aftdeck.worksite.capture.effector import CaptureTable, Controls, EndEffector, MadeFor, Moved, Nearest
+from aftdeck.worksite.capture.effector import (
+    BEGINS,
+    MOVES,
+    RESTS,
+    Acts,
+    CaptureTable,
+    Controls,
+    EndEffector,
+    MadeFor,
+    Moved,
+    Nearest,
+)
 from aftdeck.worksite.capture.grapple import CaptureEnvelope, around_axis, in_envelope
 from aftdeck.worksite.capture.snare import (
     Part,
@@ -156,12 +167,15 @@ class Snares(EndEffector):
         before = bool(out >= self.envelope.nearest - meeting.depth)
         return before and around_axis(self.envelope.packed, y, z, turned, 1.0)
 
-    def acts(self, controls: Controls) -> bool:
-        """Return whether snares or carriage move, or begin to move."""
+    def acts(self, controls: Controls) -> Acts:
+        """Return whether snares or carriage begin to move, or go on."""
         before, command = controls.snare, snare_command(controls)
-        return (
-            bool(before.motion) or controls.rigid != "off" or (bool(command.trigger) and not refusal(before, command))
-        )
+        moves = bool(before.motion) or controls.rigid != "off"
+        if command.trigger and refusal(before, command):
+            return BEGINS if moves else RESTS
+        if command.trigger and not (command.trigger == before.motion and before.ring > 0.0):
+            return BEGINS
+        return MOVES if moves else RESTS
 
     def step(
         self, controls: Controls, held: int | None, frames: Array, placed: Array, period: float, units: Units
