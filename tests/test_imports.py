@@ -30,6 +30,7 @@ LAYERS = (
         "law_folder",
         "law_digest",
         "law_library",
+        "law_link",
         "law_cache",
         "law",
         "law_change",

@@ -264,7 +264,8 @@ def _compiled(function: Callable[_P, _R], given: Options) -> Callable[_P, _R]:
         "nogil": True,
         "no_cfunc_wrapper": True,
     }
-    compiled: Any = numba.njit(**options)(function)
+    named = importlib.import_module("aftdeck.law_link").named
+    compiled: Any = numba.njit(pipeline_class=named(given), **options)(function)
     if compiled is function:  # NUMBA_DISABLE_JIT
         return cast("Callable[_P, _R]", functools.wraps(function)(functools.partial(_as_python, function)))
     if Path(function.__code__.co_filename).is_file():

@@ -62,8 +62,8 @@ def only_kept() -> Iterator[None]:
 class LawCache:
     """Machine code of one law: one file for each signature. It is a cache of Numba's dispatcher.
 
-    A file begins with the SHA-256 of the rest: the signature, and Numba's result of the compilation. Its name contains
-    a digest of everything on which the machine code depends.
+    A file begins with the SHA-256 of the rest: the signature, the large laws that the law calls, and Numba's result of
+    the compilation. Its name contains a digest of everything on which the machine code depends.
     """
 
     def __init__(self, law: Callable[..., Any], options: Options, folder: Path | None) -> None:
@@ -92,6 +92,7 @@ class LawCache:
         if result is None and here.only_kept:
             raise NotKept(name)
         if result is not None:
+            self._separate(signature, result)
             self._tell(name)
         return result
 
@@ -100,9 +101,16 @@ class LawCache:
         if compiled.lifted or compiled.library.has_dynamic_globals:  # it contains addresses of this process
             return
         name = self._name(signature, compiled.codegen)
-        data = importlib.import_module("numba.core.serialize").dumps((signature, compiled._reduce()))
+        needs = _linking().needs_of(compiled.library)
+        data = importlib.import_module("numba.core.serialize").dumps((signature, needs, compiled._reduce()))
+        self._separate(signature, compiled)
         self._write(name, hashlib.sha256(data).digest() + data)
         self._tell(name)
+
+    def _separate(self, signature: Any, result: Any) -> None:
+        """Let other laws call a large law where it is."""
+        if not self._options.inlined:
+            _linking().separate(result.library, self._law, signature, result.fndesc.llvm_func_name)
 
     def _name(self, signature: Any, codegen: Any) -> str:
         depends = (
@@ -146,10 +154,20 @@ class LawCache:
 def _result(data: bytes, signature: Any, target: Any) -> Any:
     """Return a result of Numba's compilation from a file's content; None if it is not one for this signature."""
     try:
-        kept, result = pickle.loads(data)  # not damaged
-        return importlib.import_module("aftdeck.law_library").rebuilt(target, result) if kept == signature else None
+        kept, needs, result = pickle.loads(data)  # not damaged
+        if kept != signature or not _linking().are_met(needs):
+            return None
+        result = importlib.import_module("aftdeck.law_library").rebuilt(target, result)
+        result.library.needs = needs
+        return result
+    except NotKept:
+        raise
     except Exception:  # whatever another version of Numba raises: compile again
         return None
+
+
+def _linking() -> Any:
+    return importlib.import_module("aftdeck.law_link")
 
 
 @functools.cache

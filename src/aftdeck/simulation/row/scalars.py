@@ -34,8 +34,8 @@ INHIBITED, STOPPED = 15, 16
 ORBITS = 17
 """1 if the orbiter translates."""
 WORKS = 18
-"""1 if latches move, or if a switch begins a motion of latches or of the end effector; 2 if only the end effector goes on
-moving (`capture.effector`)."""
+"""1 if latches move, or if a switch begins a motion of latches or of the end effector; 2 if only the end effector
+goes on moving (`capture.effector`)."""
 TASK = 19
 """The report's mode, 1 to 4; replaced by the mode after the step, if nothing is captured or fixed in it."""
 NEAREST = 20

@@ -65,7 +65,10 @@ def around_axis(envelope: Array, y: float, z: float, turned: Rows, wide: float) 
 
 @law
 def inside_envelope(envelope: Array, out: float, y: float, z: float, turned: Rows) -> bool:
-    """Return whether all conditions of `in_envelope` hold; `out`: position along axis 1 [m], others as `around_axis`."""
+    """Return whether all conditions of `in_envelope` hold.
+
+    `out`: position of the fixture along axis 1 [m]; the other arguments are those of `around_axis`.
+    """
     return bool(envelope[NEAREST] <= out <= envelope[FARTHEST]) and around_axis(envelope, y, z, turned, 1.0)
 
 
