@@ -32,7 +32,7 @@ SLIDES = 14
 INHIBITED, STOPPED = 15, 16
 """1 if a contact of the last step inhibits the arm; 1 if one inhibits the prong."""
 ORBITS = 17
-"""1 if the orbiter translates."""
+"""1 if the orbiter can translate."""
 WORKS = 18
 """1 if the end effector or latches move, or a switch commands them to."""
 TASK = 19
@@ -47,27 +47,37 @@ FLOWN = 24
 """Number of the law for which stick directions are evaluated: of the present mode if it is manual, else of ORB UNL."""
 BY_JOINT = 25
 """1 in a mode that moves single joints."""
-GIVEN = 26
+ADVISED = 26
+"""1 if a motion is known that leads out of the contacts (`WorksiteState.advice`)."""
+COMMAND_X = 27
+"""First of three commands of the orbiter's translation along its axes, in [-1, 1]."""
+LOGGED = 30
+"""1 if a contact is in the log that has not ended."""
+GIVEN = 31
 """Number of the values above, which are set before a step."""
 
 # of a step, after it
-HALT = 26
-"""What blocked the commanded motion: 0 nothing, 1 a berth, 2 a switch."""
-BEGAN = 27
+HALT = 31
+"""What blocked the commanded motion: 0 nothing, 1 a berth, 2 a switch, 3 a contact."""
+BEGAN = 32
 """1 if an automatic motion began in this step."""
-TOUCHING, CHANGED = 28, 29
+TOUCHING, CHANGED = 33, 34
 """1 if a pair is in contact; 1 if a contact began, ended or reached its second step."""
-ARM, FINGER = 30, 31
+ARM, FINGER = 35, 36
 """1 if a contact inhibits the arm; 1 if one inhibits the prong."""
-LEAST = 32
+LEAST = 37
 """Lower bound of the measured clearances [m]."""
-LIMITS = 33
+LIMITS = 38
 """1 if a joint is past its reach limit or a singularity is near."""
-TOLD = 34
+TOLD = 39
 """1 if zones or near singularities have changed, or a cause has a way out by a stick that had none."""
-MADE = 35
+MADE = 40
 """Number of control steps that were made."""
-SCALARS = 36
+HINDERED = 41
+"""Pair whose detrimental contact a translation of the orbiter would deepen, `FREELY` or `REJECTED`."""
+FREELY, REJECTED = -1, -2
+"""Values of `HINDERED`: nothing hinders the orbiter; it cannot translate."""
+SCALARS = 42
 
 # constants of a run
 PERIOD = 0
@@ -87,7 +97,9 @@ INHIBITS = 12
 RADIUS = 13
 """Distance of a grapple pin from the end effector's axis above which the two are never aligned [m]; negative for an end
 effector without snares."""
-CONSTANTS = 14
+ORBITER_SPEED, ORBITER_REACHED_IN = 14, 15
+"""Speed of the orbiter's translation [m/s], and the time to reach it from rest [s]; 0 at a worksite without one."""
+CONSTANTS = 16
 
 # of a floating payload
 POSE_AT, MOTION_AT, REFERENCE_AT, CYCLE_AT, TIME_AT, FLOATS, CONTROLLED = 0, 12, 18, 27, 36, 37, 38
