@@ -7,13 +7,18 @@ from collections import Counter
 import numpy as np
 import pytest
 
+from aftdeck.plant.state import FOLLOWING
 from aftdeck.scenario.load import built_in, load_scenario
 from aftdeck.simulation import fly
 from aftdeck.simulation.command_check import rehearsal
 from aftdeck.simulation.constants.flight import Flight
 from aftdeck.simulation.inputs import Inputs
-from aftdeck.simulation.period.period import OBSERVED, STEERED
-from aftdeck.simulation.period.quick import quick_step
+from aftdeck.simulation.period.drive import driven
+from aftdeck.simulation.period.limit import limited
+from aftdeck.simulation.period.period import DRIVEN, OBSERVED, SEEN, contacts
+from aftdeck.simulation.period.quick import give, quick_step, take
+from aftdeck.simulation.row.now import Flat
+from aftdeck.simulation.row.scalars import BEGAN, MADE
 from aftdeck.simulation.run import Simulation
 from aftdeck.simulation.state import State
 from tests.simulation.flights import random_inputs
@@ -23,10 +28,21 @@ STEPS = 700
 
 
 def in_python(flight: Flight, state: State, inputs: Inputs, *, observes: bool, most: int = 1) -> int:
-    """Steer in place of `quick_step`: all the rest of the step is then made in Python."""
-    del flight, inputs, observes, most
+    """Replace `quick_step`: steer in Python, move by laws, and leave the rest of the step to Python."""
+    del observes, most
     fly._steer(state)
-    return STEERED
+    began = state.panel.motion_began
+    give(flight, state, inputs)
+    flat = Flat(*flight.packed, *state.row.packed)
+    limited(flat, state.rules)
+    state.row.scalars[BEGAN], state.row.scalars[MADE] = 0.0, 1.0
+    reached = DRIVEN
+    if driven(flat):
+        contacts(*flat, FOLLOWING)
+        reached = SEEN
+    take(flight, state, reached)
+    assert state.panel.motion_began == began
+    return reached
 
 
 def digests(name: str, seed: int | None, steps: int) -> list[bytes]:

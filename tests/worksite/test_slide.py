@@ -8,12 +8,12 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from scipy.optimize import nnls
 
-from aftdeck.arrays import Array
+from aftdeck.arrays import Array, Mask
 from aftdeck.bodies.solid import Solid
 from aftdeck.bodies.vector import Vector
 from aftdeck.kinematics.jacobian import Twist
-from aftdeck.worksite.sliding.projection import SLACK, slide
-from aftdeck.worksite.sliding.touches import touches
+from aftdeck.worksite.sliding.projection import SLACK, TOUCH, slide
+from aftdeck.worksite.sliding.touches import EACH, touching
 from aftdeck.worksite.watch.clearance_monitor import ClearanceMonitor
 from aftdeck.worksite.watch.found import CLEARANCE
 from aftdeck.worksite.watch.groups import layout_of
@@ -29,6 +29,17 @@ def contacts(rng: np.random.Generator, count: int) -> Array:
     rows[:, :3] = 3.0 * rng.normal(size=(count, 3))
     rows[:, 3:6] = rotations(rng, count)[:, 0] if count else 0.0
     return rows
+
+
+def touches(watch: ClearanceMonitor, counts: Mask, reach: float, period: float, out: float) -> Array:
+    """Return the touches (k, 7) of the body "can", for the other arguments of `touching`."""
+    own = watch.layout
+    rows = np.empty((EACH * len(own.pairs), TOUCH))
+    can = own.frames.index("can")
+    count = touching(
+        own.frame, own.pairs, own.begins, counts, can, watch.placed, watch.found, reach, period, out, rows
+    )  # fmt: skip
+    return rows[:count]
 
 
 def slid(rows: Array, tip: Array, demanded: Array) -> Array:
@@ -119,7 +130,7 @@ def test_payload_pushed_in_a_trough_slides_and_stays_out_of_its_walls(seed: int,
     along = 0.0
     watch.update(now, now, period)
     for _ in range(120):
-        rows = touches(watch, counts, "can", 0.1, period, 0.02)
+        rows = touches(watch, counts, 0.1, period, 0.02)
         grip = now[1, :3] + now[1, 3:].reshape(3, 3) @ tip
         twist = slid(rows, grip, demanded)
         carried = np.zeros((2, 6))
@@ -149,11 +160,11 @@ def test_contact_points_of_a_payload_are_its_corners_at_the_wall() -> None:
     now[:, 3:] = np.eye(3).ravel()
     now[1, 1] = 1.01
     watch.update(now, now, 0.1)
-    rows = touches(watch, counts, "can", 0.02, 0.1, 0.05)
+    rows = touches(watch, counts, 0.02, 0.1, 0.05)
     assert rows[:, 3:6] == pytest.approx(np.tile([0.0, 1.0, 0.0], (5, 1)), abs=1e-12)
     assert rows[:, 6] == pytest.approx(np.full(5, -0.1))
     assert {tuple(row) for row in rows[1:, :3].round(9)} == {(x, 0.51, z) for x in (-0.5, 0.5) for z in (-0.5, 0.5)}
-    assert len(touches(watch, counts, "can", 0.005, 0.1, 0.05)) == 0
+    assert len(touches(watch, counts, 0.005, 0.1, 0.05)) == 0
     now[1, 1] = 0.99
     watch.update(now, now, 0.1)
-    assert touches(watch, counts, "can", 0.02, 0.1, 0.05)[:, 6] == pytest.approx(np.full(5, 0.05))
+    assert touches(watch, counts, 0.02, 0.1, 0.05)[:, 6] == pytest.approx(np.full(5, 0.05))

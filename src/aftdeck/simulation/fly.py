@@ -2,19 +2,17 @@
 
 from __future__ import annotations
 
-from aftdeck.arrays import Array
 from aftdeck.errors import SimulationError
 from aftdeck.simulation.constants.flight import Flight
 from aftdeck.simulation.inputs import Inputs
 from aftdeck.simulation.log import Log
-from aftdeck.simulation.motion.motion_inhibit import limit_motion
 from aftdeck.simulation.motion.stopping import watch_stop
 from aftdeck.simulation.operator.holds import hold_position
 from aftdeck.simulation.operator.panel import operate
 from aftdeck.simulation.payloads.disturbances import disturb
 from aftdeck.simulation.payloads.surroundings import surroundings
 from aftdeck.simulation.period.period import STEERED
-from aftdeck.simulation.period.quick import quick_step
+from aftdeck.simulation.period.quick import limit_motion, quick_step
 from aftdeck.simulation.state import State
 from aftdeck.simulation.work import update_worksite
 from aftdeck.steering.course import start_motion
@@ -61,10 +59,9 @@ def complete(flight: Flight, state: State, log: Log, inputs: Inputs, reached: in
     """Complete a step that compiled code has made as far as `reached`; the other arguments are those of `go`."""
     if reached == STEERED:
         # limit the motion to what contacts, berths and walls allow; move the plant, with what disturbs it
-        rates = state.steering[RATES : RATES + len(state.plant.angles)]
-        telescope = limit_motion(flight, state, rates, inputs.telescope)
+        telescope = limit_motion(flight, state, inputs)
         disturb(flight, state, log, inputs)
-        move_plant(flight, state, log, inputs, rates, telescope)
+        move_plant(flight, state, log, inputs, telescope)
         if state.plant.bodies is not None:
             watch_stop(flight, state, log, state.plant.bodies)
     update_worksite(flight, state, log, inputs, reached)
@@ -80,7 +77,7 @@ def _steer(state: State) -> None:
     msteer(state.rules, state.command, state.steering, state.report)
 
 
-def move_plant(flight: Flight, state: State, log: Log, inputs: Inputs, rates: Array, telescope: float) -> None:
+def move_plant(flight: Flight, state: State, log: Log, inputs: Inputs, telescope: float) -> None:
     """Move the plant. If its model diverges, nothing moves, and a script ends with "fault".
 
     Raises:
@@ -89,7 +86,7 @@ def move_plant(flight: Flight, state: State, log: Log, inputs: Inputs, rates: Ar
     try:
         flight.plant.move(
             state.plant,
-            rates,
+            state.steering[RATES : RATES + len(state.plant.angles)],
             telescope,
             surroundings(flight, state, inputs),
             brakes=state.panel.brakes,

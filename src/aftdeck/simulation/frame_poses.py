@@ -6,7 +6,6 @@ import numpy as np
 
 from aftdeck.arrays import Array
 from aftdeck.plant.state import FOLLOWING, PlantState
-from aftdeck.simulation.constants.flight import Flight
 from aftdeck.simulation.constants.site import Site
 from aftdeck.simulation.parts.worksite_state import WorksiteState
 from aftdeck.worksite.watch.places import place_everything
@@ -25,16 +24,6 @@ def frames_at(
 def frames_with_prong_at(site: Site, worksite: WorksiteState, plant: PlantState, prong: float) -> Array:
     """Return the poses of all frames in L, (F, 12), with the prong at `prong` [m] and everything else unchanged."""
     return _placed(site, worksite, plant.base, plant.angles, plant.stand.position, prong, plant.frames)
-
-
-def frames_after(flight: Flight, worksite: WorksiteState, plant: PlantState, rates: Array, telescope: float) -> Array:
-    """Return the poses of all frames in L, (F, 12), after one step with joint rates (n,) and a telescope drive.
-
-    Frames that do not move with the arm keep their poses.
-    """
-    period = flight.scenario.control_period
-    angles, stand = plant.angles + rates * period, plant.stand.after(flight.telescope, telescope, period)
-    return frames_at(flight.site, worksite, plant, angles, stand, worksite.prong.position)
 
 
 def _placed(

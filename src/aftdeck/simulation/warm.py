@@ -20,32 +20,26 @@ from aftdeck.simulation.payloads.alignment import count
 from aftdeck.simulation.payloads.fixing import conditions_at
 from aftdeck.simulation.payloads.grasp import attach, carried_by, empty_grasp, start_free_flight
 from aftdeck.simulation.payloads.objective import present_objective
-from aftdeck.simulation.payloads.sliding import slide_along
 from aftdeck.simulation.payloads.task_phases import change_task, task_of
-from aftdeck.simulation.period.period import STEERED
-from aftdeck.simulation.period.steer import stop_arm
+from aftdeck.simulation.period.period import DRIVEN, STEERED
 from aftdeck.simulation.state import State
 from aftdeck.simulation.step import step
 from aftdeck.state_part import digest
-from aftdeck.steering.layout import TWIST
 from aftdeck.steering.limiters import rate_ratio
 from aftdeck.steering.mode import AUTOMATIC_LAWS
-
-FAR = 1e3
-"""Twist components [rad/s], [m/s] with which the payload could reach every wall in the next step."""
+from aftdeck.worksite.watch.contact_motion import worst_new_contact
 
 
 def warm_up(scenario: Scenario) -> None:
     """Call every law once, which compiles it: run a few steps of the scenario in a new state."""
     flight = run_constants(scenario, gauged=True)
     state = initial_state(flight)
-    arm, joints = scenario.arm, len(scenario.arm.joints)
+    arm = scenario.arm
     here = target_at(arm.forward(scenario.initial_angles))
     step(flight, state, Inputs())
     frame_of(flight, state, digest(state))
     quaternion_of_rows(here.rotation)  # recordings contain quaternions
     rate_ratio(state.rules, state.steering)
-    stop_arm(joints, state.steering, state.report, 0.0)
     for law in AUTOMATIC_LAWS:
         step(flight, state, Inputs(mode="OPR CMD", law=law, target=here, proceed=True))
         step(flight, state, Inputs(stop=True))
@@ -57,13 +51,14 @@ def warm_up(scenario: Scenario) -> None:
     step(flight, state, None)
     state.worksite.contacts.judge(touching=True, changed=True, prong=flight.site.by_prong, mode=state.worksite.task)
     way_out_of_contact(flight, state)
+    worst_new_contact(state.worksite.watch, flight.site.detrimental, state.worksite.frames)
     if flight.site.payloads:
         present_objective(flight.site, state.worksite)
         _carry(flight, state)
 
 
 def _carry(flight: Flight, state: State) -> None:
-    """Attach the first payload, slide it along the orbiter's parts, evaluate its berths, and release it."""
+    """Attach the first payload, evaluate its berths, and release it."""
     site, worksite, log = flight.site, state.worksite, state.log(flight.scenario.control_period)
     worksite.payloads[0].berth = ""
     attach(site, worksite, 0)
@@ -71,8 +66,6 @@ def _carry(flight: Flight, state: State) -> None:
     change_task(worksite, task_of(site, worksite), log)
     frame_of(flight, state, digest(state))
     worksite.watch.update(worksite.frames, worksite.frames, flight.scenario.control_period)
-    state.steering[TWIST : TWIST + 6] = FAR  # the payload could then reach every wall in the next step
-    slide_along(flight, state, 0.0, 0)
     for fit in site.fits[0]:
         conditions_at(site, worksite, 0, fit)
     empty_grasp(site, worksite, state.panel, log, 0)
@@ -85,6 +78,6 @@ def _carry(flight: Flight, state: State) -> None:
 def _rest_of_step(flight: Flight, state: State) -> None:
     """Make the part of a step that follows the steering, as far as Python can make it."""
     log = state.log(flight.scenario.control_period)
-    complete(flight, state, log, Inputs(), STEERED)
+    complete(flight, state, log, Inputs(), DRIVEN if state.plant.bodies is None else STEERED)
     count(flight, state)
     log_arm_events(flight, state, log, observed=False)

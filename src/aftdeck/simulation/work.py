@@ -4,19 +4,15 @@ from __future__ import annotations
 
 import numpy as np
 
-from aftdeck.arrays import Array
 from aftdeck.matrices import product
 from aftdeck.plant.plant import LEAST_PULSE
 from aftdeck.plant.state import Bodies, PlantState
 from aftdeck.simulation.constants.flight import Flight
-from aftdeck.simulation.constants.site import Site
-from aftdeck.simulation.frame_poses import frames_with_prong_at
 from aftdeck.simulation.inputs import Inputs
 from aftdeck.simulation.log import Log
 from aftdeck.simulation.motion.contact_out import way_out_of_contact
-from aftdeck.simulation.motion.motion_inhibit import sliding_payload
 from aftdeck.simulation.operator.panel import make_ready
-from aftdeck.simulation.parts.worksite_state import DRIVES, WorksiteState
+from aftdeck.simulation.parts.worksite_state import WorksiteState
 from aftdeck.simulation.payloads.capture import capture
 from aftdeck.simulation.payloads.contact_log import log_contacts
 from aftdeck.simulation.payloads.fixing import update_berths
@@ -25,17 +21,28 @@ from aftdeck.simulation.payloads.free_contact import drifted
 from aftdeck.simulation.payloads.grasp import carried_by
 from aftdeck.simulation.payloads.jets import translation_rejection
 from aftdeck.simulation.payloads.relations import permitted
+from aftdeck.simulation.payloads.sliding import sliding_payload
 from aftdeck.simulation.payloads.surroundings import follow_bodies
 from aftdeck.simulation.payloads.task_phases import change_task, task_of
 from aftdeck.simulation.period.period import JUDGED, SEEN, contacts
-from aftdeck.simulation.period.quick import inhibit_of
-from aftdeck.simulation.row.scalars import CHANGED, LEAST, NEAREST, PRONG_AT, STAND, TASK, TOUCHING, WORKS
+from aftdeck.simulation.period.quick import inhibit_of, move_prong
+from aftdeck.simulation.row.scalars import (
+    CHANGED,
+    FREELY,
+    HINDERED,
+    LEAST,
+    NEAREST,
+    PRONG_AT,
+    REJECTED,
+    STAND,
+    TASK,
+    TOUCHING,
+    WORKS,
+)
 from aftdeck.simulation.state import State
 from aftdeck.tuples import Vec3
 from aftdeck.worksite.capture.effector import RESTS
-from aftdeck.worksite.free_flight import translate
-from aftdeck.worksite.watch.contact_motion import looked_at, relieves, worst_new_contact
-from aftdeck.worksite.watch.contacts import FRAMES, Inhibit
+from aftdeck.worksite.watch.contacts import Inhibit
 
 
 def update_worksite(flight: Flight, state: State, log: Log, inputs: Inputs, reached: int) -> None:
@@ -45,6 +52,9 @@ def update_worksite(flight: Flight, state: State, log: Log, inputs: Inputs, reac
     """
     site, worksite, plant = flight.site, state.worksite, state.plant
     before, was_fixed = worksite.contacts.inhibit, worksite.arm_fixed
+    hindered = int(state.row.values[HINDERED])
+    if plant.bodies is None and (hindered != FREELY or worksite.orbiter_rejected):
+        _log_hindrance(flight, worksite, log, hindered)
     if reached < SEEN:
         _move_worksite(flight, state, log, inputs)
         _update_contacts(flight, state)
@@ -79,16 +89,16 @@ def update_worksite(flight: Flight, state: State, log: Log, inputs: Inputs, reac
 
 
 def _move_worksite(flight: Flight, state: State, log: Log, inputs: Inputs) -> None:
-    """Move the orbiter, the prong and the payloads that float."""
+    """Move what compiled code has left: payloads that float; with masses, all besides the arm."""
     site, worksite, plant, period = flight.site, state.worksite, state.plant, flight.scenario.control_period
-    _move_orbiter(flight, worksite, plant, log, inputs.orbiter)
-    _move_prong(flight, worksite, plant, attached=state.script.attached > 0)
     if plant.bodies is None:
         for k, floating in enumerate(worksite.floating):
             if floating is not None:
                 worksite.floating[k] = drifted(flight, worksite, plant, log, k, floating)
                 worksite.update_carrier(site, k)
     else:
+        _follow_orbiter(flight, worksite, plant.bodies, log, inputs.orbiter)
+        move_prong(flight, state)
         follow_bodies(site, worksite, plant, plant.bodies)
         watch_forces(site, worksite, plant.bodies, log, period)
 
@@ -111,94 +121,44 @@ def _judge(
     site, watch, counted = flight.site, worksite.watch, worksite.contacts
     if touching or changed or (plant.bodies is not None and plant.bodies.touches):
         worksite.permitted[:] = permitted(site, watch, worksite.frames)
-        sliding = sliding_payload(worksite.held, mode) if flight.inhibits else None
+        sliding = sliding_payload(flight, worksite.held, mode)
         counted.essential[:] = site.essential_while(sliding, worksite.permitted)
     counted.judge(touching, changed, site.by_prong, worksite.task, inhibits=flight.inhibits)
 
 
-def _move_orbiter(flight: Flight, worksite: WorksiteState, plant: PlantState, log: Log, command: Vec3) -> None:
-    """Translate the orbiter. If the translation is blocked, log the reason once."""
+def _log_hindrance(flight: Flight, worksite: WorksiteState, log: Log, hindered: int) -> None:
+    """Log why the orbiter does not translate, once; `hindered`: `HINDERED` of the step."""
     why = ""
-    if any(command) or any(worksite.orbiter_velocity.tolist()):
-        why = _try_translation(flight, worksite, plant, np.array(command))
+    if hindered == REJECTED:
+        why = translation_rejection(flight, worksite, None)
+    elif hindered != FREELY:
+        a, b = flight.site.layout.named(hindered)
+        why = f"orbiter translation refused: {a} would penetrate {b} further"
+    _log_rejection(worksite, log, why)
+
+
+def _log_rejection(worksite: WorksiteState, log: Log, why: str) -> None:
+    """Log once why a translation of the orbiter is rejected; "" if it is not."""
     if why and not worksite.orbiter_rejected:
         log.reject(why)
     worksite.orbiter_rejected = bool(why)
 
 
-def _try_translation(flight: Flight, worksite: WorksiteState, plant: PlantState, command: Array) -> str:
-    """Translate the orbiter by one step.
-
-    The orbiter stops at once if the arm holds a docked payload, or if the translation would deepen a detrimental
-    contact.
-
-    Returns:
-        The reason why the orbiter cannot translate; "" if it can.
-    """
-    site, rule = flight.site, flight.site.worksite.translation
-    velocity = worksite.orbiter_velocity
-    if why := translation_rejection(flight, worksite, plant.bodies):
-        velocity[:] = 0.0
-        return why
-    assert rule is not None, "`translation_rejection` rejects a translation without a rule"
-    if plant.bodies is not None:
-        _follow_translation(site, worksite, plant.bodies, command)
-        return ""
-    period, detrimental = flight.scenario.control_period, 1 - worksite.contacts.essential
-    if not (flight.inhibits and worksite.logged_contacts and np.any(detrimental & (worksite.contacts.count == FRAMES))):
-        translate(worksite.orbiter, velocity, command, rule.speed, rule.reached_in, period)
-        return ""
-    without, here = frames_with_prong_at(site, worksite, plant, worksite.prong.position), worksite.orbiter.copy()
-    translate(worksite.orbiter, velocity, command, rule.speed, rule.reached_in, period)
-    after = frames_with_prong_at(site, worksite, plant, worksite.prong.position)
-    group = worst_new_contact(looked_at(worksite.watch, without), detrimental, after)
-    if group < 0:
-        return ""
-    worksite.orbiter[:], velocity[:] = here, 0.0
-    a, b = site.layout.named(group)
-    return f"orbiter translation refused: {a} would penetrate {b} further"
-
-
-def _follow_translation(site: Site, worksite: WorksiteState, bodies: Bodies, command: Array) -> None:
+def _follow_orbiter(flight: Flight, worksite: WorksiteState, bodies: Bodies, log: Log, command: Vec3) -> None:
     """Set the velocity of the translation to that of the bodies; 0 for an axis that has come to rest.
 
-    The orbiter's displacement is part of the plant's state.
+    The orbiter's displacement is part of the plant's state. If the translation is not possible, log the reason once.
     """
-    velocity, rule = worksite.orbiter_velocity, site.worksite.translation
-    assert rule is not None, "an orbiter that translates has a rule"
-    velocity[:] = product(site.axes.T, bodies.orbiter_velocity)
-    velocity[(command == 0.0) & (np.abs(velocity) < rule.speed / rule.reached_in * LEAST_PULSE)] = 0.0
-
-
-def _move_prong(flight: Flight, worksite: WorksiteState, plant: PlantState, *, attached: bool) -> None:
-    """Close or open the prong. Under FINGER INHIBIT, only motion that relieves the prong's contacts is allowed.
-
-    `attached`: whether the scenario attaches a payload, so that the prong cannot move.
-    """
-    site = flight.site
-    free = site.prong and not attached
-    drive = DRIVES[worksite.switch] if free else 0.0
-    prong, period = worksite.prong, flight.scenario.control_period
-    if drive > 0.0:
-        drive *= _closing_fraction(site, worksite, prong.after(flight.prong, drive, period) - prong.position)
-    if drive != 0.0 and worksite.contacts.inhibit.finger:
-        before, after = (
-            frames_with_prong_at(site, worksite, plant, at)
-            for at in (prong.position, prong.after(flight.prong, drive, period))
-        )
-        harmful = site.by_prong & (1 - worksite.contacts.essential)
-        if not relieves(looked_at(worksite.watch, before), site.by_prong, harmful, after):
-            drive = 0.0
-    prong.move(flight.prong, drive, period)
-
-
-def _closing_fraction(site: Site, worksite: WorksiteState, distance: float) -> float:
-    """Return the fraction of `distance` [m] that the prong moves until it touches the held payload's bar; at most 1."""
-    k = worksite.held
-    if site.capture is None or k is None:
-        return 1.0
-    clearance = site.capture.until_touch(worksite.watch.placed, k)
-    return 1.0 if distance <= clearance else clearance / distance
+    velocity, why = worksite.orbiter_velocity, ""
+    if any(command) or any(velocity.tolist()):
+        rule = flight.site.worksite.translation
+        if why := translation_rejection(flight, worksite, bodies):
+            velocity[:] = 0.0
+        elif rule is not None:
+            velocity[:] = product(flight.site.axes.T, bodies.orbiter_velocity)
+            resting = np.abs(velocity) < rule.speed / rule.reached_in * LEAST_PULSE
+            velocity[(np.array(command) == 0.0) & resting] = 0.0
+    _log_rejection(worksite, log, why)
 
 
 def _log_inhibits(log: Log, before: Inhibit, now: Inhibit) -> None:

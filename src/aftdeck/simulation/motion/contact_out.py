@@ -7,17 +7,13 @@ from typing import NamedTuple
 import numpy as np
 
 from aftdeck.arrays import Array
-from aftdeck.plant.state import PlantState
 from aftdeck.simulation.constants.flight import Flight
 from aftdeck.simulation.frame import WayOut
-from aftdeck.simulation.frame_poses import frames_after
-from aftdeck.simulation.motion.motion_inhibit import AHEAD, kept_apart
 from aftdeck.simulation.motion.ways_out import by_joint, by_stick, steering_of
-from aftdeck.simulation.parts.worksite_state import WorksiteState
+from aftdeck.simulation.period.inhibit import ways_out
 from aftdeck.simulation.state import State
 from aftdeck.steering.mode import MODES
 from aftdeck.steering.way_out import DIRECTIONS, stick_rates
-from aftdeck.worksite.watch.contact_motion import leads_out, ways_out
 
 SEARCH_EVERY = 10
 """Number of control steps from one search to the next."""
@@ -48,29 +44,17 @@ def way_out_of_contact(flight: Flight, state: State) -> None:
     motion at all leads out of them, `advice` is None. The search runs every `SEARCH_EVERY` steps, and in every step
     while `advice` is None.
     """
-    worksite, plant = state.worksite, state.plant
+    worksite = state.worksite
     if worksite.advice and state.tick % SEARCH_EVERY:
         return
-    for motions, sliding in ((_sticks(state), True), (_joints(flight, state.panel.mode), False)):
-        apart = kept_apart(flight.site, worksite, sliding=sliding)
-        first = _poses_after(flight, worksite, plant, motions, SLOWLY)
-        gains = ways_out(worksite.watch, *apart, first)
-        if not gains.max() > 0.0:
-            ahead = [_poses_after(flight, worksite, plant, motions, SLOWLY * steps) for steps in AHEAD]
-            gains = leads_out(worksite.watch, *apart, first, ahead)
+    for motions, slides in ((_sticks(state), True), (_joints(flight, state.panel.mode), False)):
+        rates, drives = np.array([own.rates for own in motions]), np.array([own.telescope for own in motions])
+        gains = np.empty(len(motions))
+        ways_out(*flight.packed, *state.row.packed, rates, drives, SLOWLY, slides, gains)
         if gains.max() > 0.0:
             worksite.advice = motions[int(gains.argmax())].command
             return
     worksite.advice = None
-
-
-def _poses_after(
-    flight: Flight, worksite: WorksiteState, plant: PlantState, motions: list[_Motion], steps: float
-) -> Array:
-    """Return the poses of all frames in L, (k, F, 12), after `steps` steps of each of k motions."""
-    return np.array(
-        [frames_after(flight, worksite, plant, steps * motion.rates, steps * motion.telescope) for motion in motions]
-    )
 
 
 def _sticks(state: State) -> list[_Motion]:

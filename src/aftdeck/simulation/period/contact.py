@@ -52,13 +52,22 @@ def seen(flat: Flat, true: Array) -> None:
 @large_law
 def placed(flat: Flat, true: Array) -> None:
     """Place all frames after a motion; `true` as for `seen`."""
-    world, now, watch = world_of(flat), motion_of(flat), watch_of(flat)
-    v = now.scalars
+    now, watch = motion_of(flat), watch_of(flat)
     watch.monitored_before[:] = watch.active
     now.before[:] = now.frames
+    place(flat, now.angles, now.scalars[STAND], now.scalars[PRONG_AT], true, now.frames)
+
+
+@large_law
+def place(flat: Flat, angles: Array, stand: float, prong: float, true: Array, frames: Array) -> None:
+    """Compute the poses of all frames, `frames` (F, 12), for joint angles (n,) and positions of telescope and prong.
+
+    Everything else is as in the row; `true` as for `seen`.
+    """
+    world, now = world_of(flat), motion_of(flat)
     place_everything(
-        world.joints, world.scene, world.axes, now.orbiter, now.carrier, now.poses_in_carrier, now.angles, v[STAND],
-        v[PRONG_AT], true, now.base, now.frames,
+        world.joints, world.scene, world.axes, now.orbiter, now.carrier, now.poses_in_carrier, angles, stand,
+        prong, true, now.base, frames,
     )  # fmt: skip
 
 

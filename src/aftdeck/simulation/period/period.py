@@ -18,11 +18,15 @@ from aftdeck.simulation.row.scalars import (
     ARM,
     CHANGED,
     FINGER,
+    FREELY,
     GREATEST_SAME,
+    HINDERED,
+    INHIBITED,
     LEAST_SAME,
     MADE,
     NEAREST,
     STAND_VELOCITY,
+    STOPPED,
     TASK,
     TELESCOPE,
     TOLD,
@@ -30,7 +34,7 @@ from aftdeck.simulation.row.scalars import (
 from aftdeck.worksite.watch.found import CLEARANCE
 
 STEERED, DRIVEN, SEEN, JUDGED, ATTACHED, COUNTED, OBSERVED = range(7)
-"""How far a control period has come: see `advance`."""
+"""How far a control period has come: see `advance`. `STEERED`: Python code has steered, on a plant with masses."""
 FARTHEST = 1e300
 """Minimum clearance if no pair counts [m]."""
 
@@ -67,11 +71,10 @@ def advance(
         most: greatest number of steps, all with the same commands; `MADE` is the number that were made.
 
     Returns:
-        How far the last step has come. `STEERED`: contacts or walls may limit the commanded motion. `DRIVEN`: the arm
-        has moved, but the orbiter translates, or something may touch a floating payload or the prong. `SEEN`: contacts
-        are counted, but a pair of the task is in contact. `JUDGED`: something may be captured, fixed or released.
-        `ATTACHED`: the step is complete, except for what `observes` asks for. `COUNTED`: the telescope has moved the
-        arm, which has to be observed. `OBSERVED`: the step is complete.
+        How far the last step has come. `DRIVEN`: something may touch a floating payload; all else has moved. `SEEN`:
+        contacts are counted, but a pair of the task is in contact. `JUDGED`: something may be captured, fixed or
+        released. `ATTACHED`: the step is complete, except for what `observes` asks for. `COUNTED`: the telescope has
+        moved the arm, which has to be observed. `OBSERVED`: the step is complete.
     """
     flat = lent(fixed_numbers, fixed_indices, fixed_marks, numbers, indices, marks)
     rules, resting, links, sticks = lend(rules), lend(resting), lend(links), lend(sticks)
@@ -114,7 +117,9 @@ def tells(v: Array, found: Array, task: float) -> bool:
         found: `Watch.found`.
         task: the report's mode before the step.
     """
-    if v[CHANGED] != 0.0 or v[ARM] != 0.0 or v[FINGER] != 0.0 or v[TOLD] != 0.0 or v[TASK] != task:
+    if v[CHANGED] != 0.0 or v[ARM] != v[INHIBITED] or v[FINGER] != v[STOPPED] or v[HINDERED] != FREELY:
+        return True
+    if v[ARM] != 0.0 or v[FINGER] != 0.0 or v[TOLD] != 0.0 or v[TASK] != task:
         return True
     clearance = found[int(v[NEAREST]), CLEARANCE] if v[NEAREST] >= 0.0 else FARTHEST
     return bool(clearance < v[LEAST_SAME] or clearance >= v[GREATEST_SAME])
@@ -139,9 +144,8 @@ def contacts(
 
 @law
 def moved(flat: Flat, rules: Array, resting: Array) -> int:
-    """Steer and move; return `STEERED` or `DRIVEN` as `advance` does, or `SEEN` if contacts can be counted."""
-    if not steered(flat, rules, resting):
-        return STEERED
+    """Steer and move; return `DRIVEN` as `advance` does, or `SEEN` if contacts can be counted."""
+    steered(flat, rules, resting)
     return SEEN if driven(flat) else DRIVEN
 
 

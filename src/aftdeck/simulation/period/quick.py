@@ -1,11 +1,15 @@
-"""Compiled part of a control step: it takes the step as far as nothing happens that is not compiled."""
+"""Calls of the compiled parts of a control step, with the single values that they need and change."""
 
 from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
 from aftdeck.simulation.parts.worksite_state import DRIVES, Halt
+from aftdeck.simulation.payloads.jets import translation_rejection
+from aftdeck.simulation.payloads.sliding import sliding_payload
+from aftdeck.simulation.period.limit import limit
 from aftdeck.simulation.period.period import COUNTED, OBSERVED, SEEN, advance
+from aftdeck.simulation.period.prong import close_or_open
 from aftdeck.simulation.row.scalars import (
     ALIGNED,
     ARM,
@@ -26,6 +30,7 @@ from aftdeck.simulation.row.scalars import (
     REFERENCE_AT,
     STAND,
     STAND_VELOCITY,
+    TELESCOPE,
     TIME_AT,
     WORKS,
 )
@@ -41,8 +46,8 @@ if TYPE_CHECKING:
 
 RIGID_POSITIONS = ("off", "rigid", "derigid")
 """Positions of MAN CONTR, in the order of `snare.CONTRS`."""
-_HALTS: tuple[Halt, ...] = ("", "seat", "switch")
-"""What stopped the arm, by the number in `HALT`."""
+_HALTS: tuple[Halt, ...] = ("", "seat", "switch", "contact")
+"""What blocked the commanded motion, by the number in `HALT`."""
 
 
 def quick_step(flight: Flight, state: State, inputs: Inputs, *, observes: bool, most: int = 1) -> int:
@@ -72,6 +77,26 @@ def quick_step(flight: Flight, state: State, inputs: Inputs, *, observes: bool, 
     return reached
 
 
+def limit_motion(flight: Flight, state: State, inputs: Inputs) -> float:
+    """Limit the rates in `state.steering`, and the telescope, to what contacts, berths, switches and walls allow.
+
+    Return the allowed drive of the telescope, in [-1, 1]. On the kinematic plant, `quick_step` does this.
+    """
+    give(flight, state, inputs)
+    limit(*flight.packed, *state.row.packed, state.rules)
+    values = state.row.values = state.row.scalars.tolist()
+    state.worksite.halt = _HALTS[int(values[HALT])]
+    return float(values[TELESCOPE])
+
+
+def move_prong(flight: Flight, state: State) -> None:
+    """Move the prong after the bodies of a plant with masses. On the kinematic plant, `quick_step` does this."""
+    scalars, prong, plant = state.row.scalars, state.worksite.prong, state.plant
+    scalars[STAND] = plant.stand.position
+    close_or_open(*flight.packed, *state.row.packed, plant.frames)
+    prong.position, prong.velocity = scalars[[PRONG_AT, PRONG_VELOCITY]].tolist()
+
+
 def take(flight: Flight, state: State, reached: int) -> None:
     """Take the single values of the state from its row.
 
@@ -88,10 +113,9 @@ def take(flight: Flight, state: State, reached: int) -> None:
     if values[BEGAN]:
         state.panel.motion_began = state.tick - 1
     plant.stand.position, plant.stand.velocity = values[STAND], values[STAND_VELOCITY]
+    worksite.prong.position, worksite.prong.velocity = values[PRONG_AT], values[PRONG_VELOCITY]
     if reached < SEEN and not several:
         return
-    worksite.prong.position, worksite.prong.velocity = values[PRONG_AT], values[PRONG_VELOCITY]
-    worksite.orbiter_rejected = False
     if state.row.floats:
         _take_flights(state)
     worksite.nearest, worksite.watch.least = int(values[NEAREST]), values[LEAST]
@@ -136,9 +160,8 @@ def give(flight: Flight, state: State, inputs: Inputs) -> None:
         works = BEGINS
     if works == MOVES:
         state.row.snare[:] = worksite.snare.packed
-    x, y, z = inputs.orbiter
-    if not (orbits := bool(x or y or z)) and site.worksite.translation is not None:
-        orbits = bool(worksite.orbiter_velocity.any())
+    orbits = any(inputs.orbiter) or (site.worksite.translation is not None and bool(worksite.orbiter_velocity.any()))
+    orbits = orbits and not translation_rejection(flight, worksite, plant.bodies)
     state.row.give(
         inputs.telescope,
         DRIVES[worksite.switch] if site.prong and not state.script.attached else 0.0,
@@ -154,7 +177,7 @@ def give(flight: Flight, state: State, inputs: Inputs) -> None:
         panel.brakes or panel.safing,
         kind == "automatic",
         panel.sequence == "in progress",
-        held is not None and flight.inhibits and kind in ("automatic", "manual"),
+        sliding_payload(flight, held, panel.mode) is not None,
         inhibit.arm,
         inhibit.finger,
         orbits,
@@ -167,6 +190,9 @@ def give(flight: Flight, state: State, inputs: Inputs) -> None:
         MODES[panel.mode].by_joint,
         AUTO if worksite.effector_mode == "auto" else MAN,
         RIGID_POSITIONS.index(worksite.rigid),
+        worksite.advice is not None,
+        *inputs.orbiter,
+        bool(worksite.logged_contacts),
     )
     give_limits(flight, state)
     floats = worksite.floating.count(None) < len(worksite.floating)

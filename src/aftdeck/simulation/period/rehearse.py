@@ -12,7 +12,20 @@ from aftdeck.lent import lend
 from aftdeck.simulation.period.contact import bounded, measured, placed, still_clear
 from aftdeck.simulation.period.period import ATTACHED, SEEN, moved, settled
 from aftdeck.simulation.row.now import lent, motion_of
-from aftdeck.simulation.row.scalars import ARM, CHANGED, FLOATS, HELD, MADE, PERIOD, SLIDES, STAND_VELOCITY, WITHIN
+from aftdeck.simulation.row.scalars import (
+    ARM,
+    CHANGED,
+    FLOATS,
+    FREELY,
+    HELD,
+    HINDERED,
+    INHIBITED,
+    MADE,
+    PERIOD,
+    SLIDES,
+    STAND_VELOCITY,
+    WITHIN,
+)
 from aftdeck.simulation.row.world import world_of
 from aftdeck.steering.layout import ANGLE, ARRIVED, DISTANCE, MOTION_ACTIVE, RATIO, REMAINING
 from aftdeck.steering.rehearsal import STANDSTILL
@@ -94,7 +107,9 @@ def rehearsed(
         near, which = nearest_singularity(links, now.angles)
         if near < values[NEAREST]:
             values[NEAREST], values[WHICH] = near, which
-        if v[CHANGED] != 0.0 or v[ARM] != 0.0 or v[STAND_VELOCITY] != 0.0:
+        if v[CHANGED] != 0.0 or v[ARM] != 0.0 or v[INHIBITED] != 0.0:
+            return
+        if v[STAND_VELOCITY] != 0.0 or v[HINDERED] != FREELY:
             return
         if command[MOTION_ACTIVE] != 0.0:
             estimate(report, values, time, half, slowest)

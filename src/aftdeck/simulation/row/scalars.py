@@ -32,7 +32,7 @@ SLIDES = 14
 INHIBITED, STOPPED = 15, 16
 """1 if a contact of the last step inhibits the arm; 1 if one inhibits the prong."""
 ORBITS = 17
-"""1 if the orbiter translates."""
+"""1 if the orbiter can translate."""
 WORKS = 18
 """1 if latches move, or if a switch begins a motion of latches or of the end effector; 2 if only the end effector
 goes on moving (`capture.effector`)."""
@@ -50,27 +50,37 @@ BY_JOINT = 25
 """1 in a mode that moves single joints."""
 SNARE_MODE, CONTR = 26, 27
 """Positions of END EFFECTOR MODE and MAN CONTR (`capture.snare`)."""
-GIVEN = 28
+ADVISED = 28
+"""1 if a motion is known that leads out of the contacts (`WorksiteState.advice`)."""
+COMMAND_X = 29
+"""First of three commands of the orbiter's translation along its axes, in [-1, 1]."""
+LOGGED = 32
+"""1 if a contact is in the log that has not ended."""
+GIVEN = 33
 """Number of the values above, which are set before a step."""
 
 # of a step, after it
-HALT = 28
-"""What blocked the commanded motion: 0 nothing, 1 a berth, 2 a switch."""
-BEGAN = 29
+HALT = 33
+"""What blocked the commanded motion: 0 nothing, 1 a berth, 2 a switch, 3 a contact."""
+BEGAN = 34
 """1 if an automatic motion began in this step."""
-TOUCHING, CHANGED = 30, 31
+TOUCHING, CHANGED = 35, 36
 """1 if a pair is in contact; 1 if a contact began, ended or reached its second step."""
-ARM, FINGER = 32, 33
+ARM, FINGER = 37, 38
 """1 if a contact inhibits the arm; 1 if one inhibits the prong."""
-LEAST = 34
+LEAST = 39
 """Lower bound of the measured clearances [m]."""
-LIMITS = 35
+LIMITS = 40
 """1 if a joint is past its reach limit or a singularity is near."""
-TOLD = 36
+TOLD = 41
 """1 if zones or near singularities have changed, or a cause has a way out by a stick that had none."""
-MADE = 37
+MADE = 42
 """Number of control steps that were made."""
-SCALARS = 38
+HINDERED = 43
+"""Pair whose detrimental contact a translation of the orbiter would deepen, `FREELY` or `REJECTED`."""
+FREELY, REJECTED = -1, -2
+"""Values of `HINDERED`: nothing hinders the orbiter; it cannot translate."""
+SCALARS = 44
 
 # constants of a run
 PERIOD = 0
@@ -90,7 +100,9 @@ INHIBITS = 12
 RADIUS = 13
 """Distance of a grapple pin from the end effector's axis above which the two are never aligned [m]; negative for an end
 effector without snares."""
-CONSTANTS = 14
+ORBITER_SPEED, ORBITER_REACHED_IN = 14, 15
+"""Speed of the orbiter's translation [m/s], and the time to reach it from rest [s]; 0 at a worksite without one."""
+CONSTANTS = 16
 
 # of a floating payload
 POSE_AT, MOTION_AT, REFERENCE_AT, CYCLE_AT, TIME_AT, FLOATS, CONTROLLED = 0, 12, 18, 27, 36, 37, 38

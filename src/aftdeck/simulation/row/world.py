@@ -122,6 +122,8 @@ def world_arrays(flight: Flight) -> World:
     constants[scalars.SINGULAR] = scenario.arm.model.singular
     constants[scalars.KEEPS_CLOCK], constants[scalars.INHIBITS] = scenario.strict, flight.inhibits
     constants[scalars.RADIUS] = -1.0 if snares is None else WIDEST * snares.envelope.radial + ROUNDING
+    if (rule := site.worksite.translation) is not None:
+        constants[scalars.ORBITER_SPEED], constants[scalars.ORBITER_REACHED_IN] = rule.speed, rule.reached_in
     fits = [fit for own in site.fits for fit in own]
     probes = [fit.probe if isinstance(fit, PortFit) else np.zeros((0, 3)) for fit in fits]
 

@@ -136,11 +136,6 @@ class Bar(EndEffector):
         payload = acquired_bar(placed, self.bars, self.packed)
         return None if payload < 0 else Moved(payload, controls.snare)
 
-    def until_touch(self, placed: Array, payload: int) -> float:
-        """Return how far the prong can close until it touches a payload's bar [m]; infinite without a bar."""
-        found = self.measured(placed, payload)
-        return np.inf if found is None else max(float(found[PRONG]), 0.0)
-
 
 def status(switch: Literal["stop", "close", "open"], prong: float, sizes: SwitchedJoint, *, holds: bool) -> Hand:
     """Return the record of a prong end effector.

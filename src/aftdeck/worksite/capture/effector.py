@@ -9,7 +9,6 @@ from __future__ import annotations
 from abc import ABC, abstractmethod
 from collections.abc import Sequence
 from dataclasses import dataclass
-from math import inf
 from typing import ClassVar, Literal, NamedTuple
 
 import msgspec
@@ -171,11 +170,6 @@ class EndEffector(ABC):
         """
         del controls, held, frames, placed
         return None
-
-    def until_touch(self, placed: Array, payload: int) -> float:
-        """Return how far the prong can close until it touches a payload [m]; infinite if nothing stops it."""
-        del placed, payload
-        return inf
 
     def motion(self, controls: Controls) -> Motion | None:
         """Return what the end effector does at present, and for how long; None if it is at rest."""

@@ -8,11 +8,10 @@ from aftdeck.arrays import Array, Indices, Mask
 from aftdeck.bodies.hexahedron import SIDES, VERTICES, D, face_normal, vertex
 from aftdeck.bodies.vector import dot, put_vector
 from aftdeck.law import law
-from aftdeck.worksite.sliding.projection import LEAST, OUTWARD, POINT, TOUCH
-from aftdeck.worksite.watch.clearance_monitor import ClearanceMonitor
+from aftdeck.worksite.sliding.projection import LEAST, OUTWARD, POINT
 from aftdeck.worksite.watch.found import CLEARANCE, NORMAL, POINT_A, POINT_B, WHICH
 
-_EACH = VERTICES + 1
+EACH = VERTICES + 1
 """Greatest number of touches of a pair of solids."""
 
 
@@ -92,32 +91,3 @@ def _over(wall: Array, body: Array, v: int, reach: float, period: float, out: fl
     put_vector(row, OUTWARD, face_normal(wall, face))
     row[LEAST] = _least(height, period, out)
     return 1
-
-
-def touches(watch: ClearanceMonitor, counts: Mask, slides: str, reach: float, period: float, out: float) -> Array:
-    """Return the touches (k, 7) of a payload that slides along walls, with rows as in `sliding.projection`.
-
-    Args:
-        watch: the monitor, updated for the present frames.
-        counts: (g,) 1 for groups that consist of a sliding part and a wall.
-        slides: name of the payload's frame.
-        reach: clearance up to which a wall is considered [m], from `sliding.walls.met`.
-        period: duration of a step [s].
-        out: greatest speed at which a point inside a wall comes out [m/s].
-    """
-    own = watch.layout
-    found = np.empty((_EACH * len(own.pairs), TOUCH))
-    count = touching(
-        own.frame,
-        own.pairs,
-        own.begins,
-        counts & watch.active,
-        own.frames.index(slides),
-        watch.placed,
-        watch.found,
-        reach,
-        period,
-        out,
-        found,
-    )
-    return found[:count]

@@ -190,7 +190,7 @@ def watch(
     measure_groups(layout, own, active, counts, before, now, period, within)
 
 
-@law
+@large_law
 def measure_groups(
     layout: PackedLayout,
     own: Measured,

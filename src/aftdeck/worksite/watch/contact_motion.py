@@ -12,19 +12,19 @@ these conditions hold:
 An arm at depth `d` in one contact therefore slides at most `d / RELIEF` along the other body before it is free. Between
 two walls, or at a body of several solids, there may be no step that relieves the contacts. Therefore a step is also
 allowed if it deepens no contact by more than `ASIDE` times the distance that the touching points slide, and if its
-continuation leads out of the contacts (`leads_out`). The arm then slides at most `d / ESCAPE`. In modes 1 to 7, a
-held payload may slide along walls (`worksite.sliding`). The conditions then do not apply to its contacts with walls.
+continuation leads out of the contacts (`may_lead_out`, `lessens`). The arm then slides at most `d / ESCAPE`. In modes
+1 to 7, a held payload may slide along walls (`worksite.sliding`). The conditions then do not apply to its contacts with
+walls.
 """
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-
 import numpy as np
 
 from aftdeck.arrays import Array, Mask
+from aftdeck.law import law
 from aftdeck.worksite.watch.clearance_monitor import ClearanceMonitor
-from aftdeck.worksite.watch.contact_trial import DEEPEST, GAINED, LESSENED, MADE, SLID, STEP, WORST, trials_of
+from aftdeck.worksite.watch.contact_trial import STEP, PredictedContacts, trial_of
 
 DEEPER = 1e-12
 """Greatest decrease of a clearance that still counts as no change [m]: the accuracy of clearances."""
@@ -52,64 +52,18 @@ ASIDE = 0.05
 touching point slides [1]. This depth allows for a contact normal that is wrong by a few degrees."""
 
 
-def relieves(watch: ClearanceMonitor, counts: Mask, harmful: Mask, after: Array) -> bool:
-    """Return whether an inhibited arm may make a step's motion.
-
-    Args:
-        watch: the monitor, updated for the present frames.
-        counts: (g,) 1 for groups with a part that moves with the arm, except groups that consist of a sliding payload
-            and a wall.
-        harmful: (g,) 1 for each of these groups whose contact is detrimental.
-        after: (F, 12) poses of the frames after the motion, in L; only frames that move with the arm change.
-    """
-    return bool(_relief(trials_of(watch, counts, harmful, after[None]))[0] > 0.0)
-
-
-def leads_out(watch: ClearanceMonitor, counts: Mask, harmful: Mask, afters: Array, ahead: Sequence[Array]) -> Array:
-    """Return how much each of several motions decreases the penetration if the motion is continued for many steps.
-
-    Args:
-        watch: the monitor, updated for the present frames.
-        counts: (g,) 1 for groups with a part that moves with the arm, except groups that consist of a sliding payload
-            and a wall.
-        harmful: (g,) 1 for each of these groups whose contact is detrimental.
-        afters: (k, F, 12) poses of the frames after one step of each motion, in L.
-        ahead: arrays of the same form as `afters`, each with the poses after a different number of steps.
-
-    Returns:
-        (k,) greatest decrease of the sum of all depths among the arrays in `ahead` [m]. An array counts only if its
-        decrease is more than `ESCAPE` times the distance that a touching point slides. The result is 0 if no array
-        counts. It is also 0 if the first step makes a contact, or deepens a contact by more than `ASIDE` times the
-        distance that a touching point slides.
-    """
-    first = trials_of(watch, counts, harmful, afters)
-    may = (first[:, WORST] >= -ASIDE * first[:, SLID] - DEEPER) & (first[:, MADE] == 0.0)
-    won = np.zeros(len(afters))
-    for frames in ahead:
-        then = trials_of(watch, counts, harmful, frames)
-        lessened = then[:, LESSENED]
-        out = lessened > np.maximum(ESCAPE * then[:, SLID], LEAST_RELIEF)
-        won = np.maximum(won, np.where(out, lessened, 0.0))
-    return np.where(may, won, 0.0)
-
-
 def worst_new_contact(watch: ClearanceMonitor, counts: Mask, after: Array) -> int:
     """Return the group with the greatest decrease of clearance among the contacts that a step makes or deepens.
 
     The result is -1 if there is no such contact.
 
-    The arguments are those of `relieves`.
+    Args:
+        watch: the monitor, updated for the present frames.
+        counts: (g,) 1 for groups whose contacts count.
+        after: (F, 12) poses of the frames after the motion, in L.
     """
-    worst, which = trials_of(watch, counts, counts, after[None])[0, :GAINED].tolist()
-    return int(which) if worst < -DEEPER else -1
-
-
-def deeper(watch: ClearanceMonitor, counts: Mask, after: Array) -> float:
-    """Return the greatest increase of a depth in a step [m]; 0 or less if no depth increases.
-
-    The arguments are those of `relieves`.
-    """
-    return float(trials_of(watch, counts, counts, after[None])[0, DEEPEST])
+    trial = trial_of(watch, counts, counts, after)
+    return trial.which if deepens(trial) else -1
 
 
 def looked_at(watch: ClearanceMonitor, frames: Array) -> ClearanceMonitor:
@@ -119,32 +73,40 @@ def looked_at(watch: ClearanceMonitor, frames: Array) -> ClearanceMonitor:
     return copy
 
 
-def ways_out(watch: ClearanceMonitor, counts: Mask, harmful: Mask, afters: Array) -> Array:
-    """Return for each of several motions the clearance that one step gains in the present contacts.
+@law
+def relief(trial: PredictedContacts) -> float:
+    """Return the clearance that a step gains in the present contacts [m]; 0 or less if it does not relieve them.
 
-    Args:
-        watch: the monitor, updated for the present frames.
-        counts: (g,) 1 for groups with a part that moves with the arm, except groups that consist of a sliding payload
-            and a wall.
-        harmful: (g,) 1 for each of these groups whose contact is detrimental.
-        afters: (k, F, 12) poses of the frames after one step of each motion, in L.
-
-    Returns:
-        (k,) increase of the sum of the clearances of all pairs of solids in detrimental contact [m], if the step
-        relieves the contacts; 0 or less if it does not.
+    It is the increase of the sum of the clearances of all pairs of solids in detrimental contact. If the step decreases
+    a clearance too much, the result is the greatest decrease (negative). If it only gains too little, the result is 0.
     """
-    return _relief(trials_of(watch, counts, harmful, afters))
+    besides = DEEPER
+    if not trial.made and trial.gained < np.inf:
+        besides = max(besides, BESIDES * trial.gained)
+    if trial.worst < -besides:
+        return trial.worst
+    return 0.0 if trial.gained < max(RELIEF * trial.slid, LEAST_RELIEF) else trial.gained
 
 
-def _relief(trials: Array) -> Array:
-    """Return the clearance (k,) that each predicted step gains [m], from the rows of `trials` (k, 7).
+@law
+def deepens(trial: PredictedContacts) -> bool:
+    """Return whether a step makes or deepens a contact."""
+    return trial.worst < -DEEPER
 
-    If a step decreases a clearance too much, its value is the greatest decrease (negative). If a step only gains too
-    little clearance, its value is 0.
+
+@law
+def may_lead_out(trial: PredictedContacts) -> bool:
+    """Return whether a step may be the first of a motion that leads out of the contacts.
+
+    It may make no contact, and deepen none by more than `ASIDE` times the distance that a touching point slides.
     """
-    worst, gained = trials[:, WORST], trials[:, GAINED]
-    slides = gained < np.maximum(RELIEF * trials[:, SLID], LEAST_RELIEF)
-    besides = np.zeros_like(gained)
-    kept = (trials[:, MADE] == 0.0) & np.isfinite(gained)
-    besides[kept] = BESIDES * gained[kept]
-    return np.where(worst < -np.maximum(DEEPER, besides), worst, np.where(slides, 0.0, gained))
+    return trial.worst >= -ASIDE * trial.slid - DEEPER and not trial.made
+
+
+@law
+def lessens(trial: PredictedContacts) -> float:
+    """Return the decrease of the sum of all depths that a continued motion brings [m]; 0 if it slides too far for it.
+
+    Too far: the decrease is at most `ESCAPE` times the distance that a touching point slides.
+    """
+    return trial.lessened if trial.lessened > max(ESCAPE * trial.slid, LEAST_RELIEF) else 0.0

@@ -17,7 +17,7 @@ from aftdeck.bodies.pair import CONTACT
 from aftdeck.bodies.pair_check import measure
 from aftdeck.bodies.pose import turned_back
 from aftdeck.bodies.vector import Vector, dot, minus, vector_at
-from aftdeck.law import law
+from aftdeck.law import large_law, law
 from aftdeck.worksite.watch.clearance_monitor import (
     ClearanceMonitor,
     Measured,
@@ -33,8 +33,6 @@ from aftdeck.worksite.watch.groups import PackedLayout
 
 STEP = 1.0
 """Distance beyond which two solids cannot come into contact within one step [m]."""
-WORST, GROUP, GAINED, SLID, DEEPEST, LESSENED, MADE = range(7)
-"""Indices of the fields of `PredictedContacts` in a row."""
 
 
 class PredictedContacts(NamedTuple):
@@ -61,7 +59,7 @@ class PredictedContacts(NamedTuple):
     made: bool
 
 
-@law
+@large_law
 def predict_contacts(
     layout: PackedLayout, own: Measured, counts: Mask, harmful: Mask, after: Array
 ) -> PredictedContacts:
@@ -165,7 +163,7 @@ def _displacement(at: Array, after: Array, point: Vector) -> Vector:
 
 
 @law
-def tried_many(
+def tried(
     solids: Array,
     frame: Indices,
     pairs: Indices,
@@ -174,7 +172,7 @@ def tried_many(
     reach: Array,
     counts: Mask,
     harmful: Mask,
-    afters: Array,
+    after: Array,
     at: Array,
     placed: Array,
     bound: Array,
@@ -182,34 +180,17 @@ def tried_many(
     memory: Array,
     found: Array,
     near: Mask,
-    trials: Array,
-) -> None:
-    """Write the prediction for each of several motions, `afters` (k, F, 12), into `trials` (k, 7).
+) -> PredictedContacts:
+    """Return the prediction for a motion that ends at the poses `after` (F, 12).
 
     The arrays of the layout and of the monitor are separate arguments here, because Python passes separate arrays
     faster than a tuple of arrays.
     """
     layout = PackedLayout(solids, frame, pairs, begins, between_frames, reach)
-    for k in range(len(afters)):
-        own = Measured(at.copy(), placed.copy(), bound, likely, memory, found, near)
-        t = predict_contacts(layout, own, counts, harmful, afters[k])
-        trials[k, WORST], trials[k, GROUP], trials[k, GAINED] = t.worst, t.which, t.gained
-        trials[k, SLID], trials[k, DEEPEST] = t.slid, t.deeper
-        trials[k, LESSENED], trials[k, MADE] = t.lessened, 1.0 if t.made else 0.0
+    own = Measured(at.copy(), placed.copy(), bound, likely, memory, found, near)
+    return predict_contacts(layout, own, counts, harmful, after)
 
 
-def trials_of(watch: ClearanceMonitor, counts: Mask, harmful: Mask, afters: Array) -> Array:
-    """Return rows (k, 7), each with the fields of `PredictedContacts` for one of several motions, `afters` (k, F, 12).
-
-    For the other arguments see `predict_contacts`.
-    """
-    own, trials = watch.layout, np.empty((len(afters), len(PredictedContacts._fields)))
-    tried_many(
-        *own.packed,
-        counts & watch.active,
-        harmful,
-        afters,
-        *watch.packed,
-        trials,
-    )
-    return trials
+def trial_of(watch: ClearanceMonitor, counts: Mask, harmful: Mask, after: Array) -> PredictedContacts:
+    """Return the effect of a motion that ends at the poses `after` (F, 12); the other arguments: `predict_contacts`."""
+    return tried(*watch.layout.packed, counts & watch.active, harmful, after, *watch.packed)
