@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import contextlib
 
+from msgspec.structs import replace
+
 from aftdeck.errors import AftdeckError
 from aftdeck.frames import quaternion_of_rows
 from aftdeck.scenario.model import Scenario
@@ -27,6 +29,7 @@ from aftdeck.simulation.step import step
 from aftdeck.state_part import digest
 from aftdeck.steering.limiters import rate_ratio
 from aftdeck.steering.mode import AUTOMATIC_LAWS
+from aftdeck.worksite.capture.snare import Snare
 from aftdeck.worksite.watch.contact_motion import worst_new_contact
 
 
@@ -52,6 +55,12 @@ def warm_up(scenario: Scenario) -> None:
     state.worksite.contacts.judge(touching=True, changed=True, prong=flight.site.by_prong, mode=state.worksite.task)
     way_out_of_contact(flight, state)
     worst_new_contact(state.worksite.watch, flight.site.detrimental, state.worksite.frames)
+    if flight.site.capture is not None:
+        closing = replace(state.worksite.controls(), snare=Snare(motion="capture"))
+        worksite, units = state.worksite, arm.model.units
+        flight.site.capture.step(
+            closing, None, worksite.frames, worksite.watch.placed, flight.scenario.control_period, units
+        )
     if flight.site.payloads:
         present_objective(flight.site, state.worksite)
         _carry(flight, state)
