@@ -98,8 +98,8 @@ def aligning_arrays(flight: Flight) -> Aligning:
         np.array([RELATIONS.index(meeting.relation) for meeting in site.meetings], np.int64),
         np.array([-1 if fit.relation is None else RELATIONS.index(fit.relation) for *_, fit in fits], np.int64),
         np.cumsum([0, *(len(trunnions) for trunnions, _ in guided)], dtype=np.int64),
-        np.array([site.seated[k, fit.berth.name] for k, fit in fits], np.uint8).reshape(-1, groups),
-        np.array(site.held, np.uint8).reshape(-1, groups),
+        np.array([site.seated[k, fit.berth.name] for k, fit in fits], np.uint8).reshape(len(fits), groups),
+        np.array(site.held, np.uint8).reshape(len(site.held), groups),
     )
 
 
