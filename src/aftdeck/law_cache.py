@@ -172,4 +172,5 @@ def _linking() -> Any:
 
 @functools.cache
 def _how_laws_are_compiled() -> str:
-    return hashlib.sha256(Path(__file__).with_name("law.py").read_bytes()).hexdigest()
+    sources = (Path(__file__).with_name(name).read_bytes() for name in ("law.py", "law_link.py"))
+    return hashlib.sha256(b"".join(sources)).hexdigest()

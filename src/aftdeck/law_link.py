@@ -9,6 +9,7 @@ be loaded before its callers run (`needs_of`).
 from __future__ import annotations
 
 from collections.abc import Callable
+from functools import cache
 from importlib import import_module
 from typing import Any, NamedTuple
 
@@ -35,6 +36,7 @@ class Need(NamedTuple):
     symbol: str
 
 
+@cache
 def named(options: Options) -> type:
     """Return Numba's compiler for laws with these options, which gives a function the same name in every process."""
 
@@ -55,13 +57,6 @@ def separate(library: Any, law: Callable[..., Any], signature: Any, symbol: str)
     """Let other laws call the function of a library where it is."""
     library.need = Need(law.__module__, law.__name__, signature, symbol)
     library._shared_module = _llvm.parse_assembly("")
-
-
-def code_of(library: Any) -> Any:
-    """Return the optimised LLVM code of a library, which a separate library does not give to its callers."""
-    if not hasattr(library, "need"):
-        return library._get_module_for_linking()
-    return _llvm.parse_bitcode(library._bitcode) if hasattr(library, "_bitcode") else library._final_module
 
 
 def needs_of(library: Any) -> tuple[Need, ...]:

@@ -53,6 +53,8 @@ class Killed(msgspec.Struct):
     handed_over_s: list[float]
     """Times at which the steps were handed over to the recorder."""
     checks: list[Check]
+    killed_s: float
+    """Time on the machine's clock at which the process was killed."""
 
 
 class Index(listing.Index):
@@ -125,10 +127,11 @@ class ForkedRun:
         """Kill the process, and return the data about its run."""
         os.kill(self._process, signal.SIGKILL)
         os.waitpid(self._process, 0)
+        killed_s = time.perf_counter()
         with os.fdopen(self._steps, "rb") as steps, os.fdopen(self._checks, "rb") as checks:
             self._handed_over += [t for (t,) in struct.iter_unpack("d", steps.read())]
             self._read_checks += map(Check._make, struct.iter_unpack("dd", checks.read()))
-        return Killed(str(self.path), self._handed_over, self._read_checks)
+        return Killed(str(self.path), self._handed_over, self._read_checks, killed_s)
 
     def _read(self, pipe: int, count: int) -> bytes:
         data = os.read(pipe, count)

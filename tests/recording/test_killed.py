@@ -34,14 +34,16 @@ def record_and_kill(folder: Path, count: int) -> list[Killed]:
     return runs
 
 
-def delay(checks: list[Check], since_s: float) -> float:
+def delay(run_: Killed, since_s: float) -> float:
     """Return how long a busy machine or disk has delayed a recorder's thread since the time `since_s` [s].
 
-    This is the sum of the pauses between the thread's checks of the queue, without the thread's work and sleep.
+    This is the sum of the pauses between the thread's checks of the queue, without the thread's work and sleep. The
+    last pause ends when the process is killed, and the work in it is not known: it counts as none.
     """
+    last = Check(run_.killed_s, run_.checks[-1].worked_s)
     pauses = [
         after.time_s - max(before.time_s, since_s) - (after.worked_s - before.worked_s) - POLL_S
-        for before, after in itertools.pairwise(checks)
+        for before, after in itertools.pairwise([*run_.checks, last])
         if after.time_s > since_s
     ]
     return sum(max(pause, 0.0) for pause in pauses)
@@ -55,7 +57,7 @@ def lost_s(run_: Killed) -> float:
     assert kept <= handed_over + 1  # the last step may be recorded but not reported
     if kept >= handed_over:
         return 0.0
-    return (handed_over - kept) * PERIOD_S - delay(run_.checks, run_.handed_over_s[kept])
+    return (handed_over - kept) * PERIOD_S - delay(run_, run_.handed_over_s[kept])
 
 
 def check(folder: Path, count: int, monkeypatch: pytest.MonkeyPatch) -> None:

@@ -13,11 +13,11 @@ from aftdeck.simulation import fly
 from aftdeck.simulation.command_check import rehearsal
 from aftdeck.simulation.constants.flight import Flight
 from aftdeck.simulation.inputs import Inputs
+from aftdeck.simulation.period.contact import seen
 from aftdeck.simulation.period.drive import driven
 from aftdeck.simulation.period.limit import limited
-from aftdeck.simulation.period.period import DRIVEN, OBSERVED, SEEN, contacts
+from aftdeck.simulation.period.period import DRIVEN, OBSERVED, SEEN
 from aftdeck.simulation.period.quick import give, quick_step, take
-from aftdeck.simulation.row.now import Flat
 from aftdeck.simulation.row.scalars import BEGAN, MADE
 from aftdeck.simulation.run import Simulation
 from aftdeck.simulation.state import State
@@ -33,12 +33,12 @@ def in_python(flight: Flight, state: State, inputs: Inputs, *, observes: bool, m
     fly._steer(state)
     began = state.panel.motion_began
     give(flight, state, inputs)
-    flat = Flat(*flight.packed, *state.row.packed)
+    flat = state.row.flat(flight.packed)
     limited(flat, state.rules)
     state.row.scalars[BEGAN], state.row.scalars[MADE] = 0.0, 1.0
     reached = DRIVEN
     if driven(flat):
-        contacts(*flat, FOLLOWING)
+        seen(flat, FOLLOWING)
         reached = SEEN
     take(flight, state, reached)
     assert state.panel.motion_began == began

@@ -13,7 +13,6 @@ from aftdeck.simulation.row.now import (
     INDICES,
     MARKS,
     NUMBERS,
-    Flat,
     Limits,
     Motion,
     Watch,
@@ -40,7 +39,7 @@ def flown(name: str) -> tuple[Flight, State]:
 
 def parts_of(flight: Flight, state: State) -> dict[str, np.ndarray]:
     """Return the parts of a row by the names of the named tuples in which laws receive them."""
-    flat = Flat(*flight.packed, *state.row.packed)
+    flat = state.row.flat(flight.packed)
     return motion_of(flat)._asdict() | watch_of(flat)._asdict() | limits_of(flat)._asdict()
 
 
@@ -73,7 +72,7 @@ def vars_of(owner: object) -> dict[str, object]:
 @pytest.mark.parametrize("name", built_in())
 def test_laws_receive_the_constants_of_a_run(name: str) -> None:
     flight, state = flown(name)
-    flat = Flat(*flight.packed, *state.row.packed)
+    flat = state.row.flat(flight.packed)
     world, pairs = world_arrays(flight), flight.site.layout.packed
     given: tuple[np.ndarray, ...] = (*world, *pairs)
     got: tuple[np.ndarray, ...] = (*world_of(flat), *pairs_of(flat))

@@ -5,8 +5,10 @@ from __future__ import annotations
 from itertools import pairwise
 
 import pytest
+from hypothesis import given
+from hypothesis import strategies as st
 
-from aftdeck.worksite.watch.alarm import HYSTERESIS, Level, level_of
+from aftdeck.worksite.watch.alarm import HYSTERESIS, Level, level_of, unchanged_between
 
 CAUTION, WARNING = 0.6, 0.15
 
@@ -35,3 +37,12 @@ def test_clearance_oscillating_at_a_threshold_changes_the_level_once() -> None:
         clearance = CAUTION * (1.0 + 0.9 * HYSTERESIS * (-1.0) ** k)
         levels.append(level_of(clearance, CAUTION, WARNING, levels[-1]))
     assert sum(one != other for one, other in pairwise(levels)) == 1
+
+
+@given(st.floats(-1.0, 2.0), st.sampled_from([0.15, 0.3, CAUTION]), st.sampled_from(["info", "caution", "warning"]))
+def test_limits_between_which_a_level_remains_are_those_of_the_level(
+    clearance: float, warning: float, before: Level
+) -> None:
+    least, beyond = unchanged_between(before, CAUTION, warning)
+    for value in (clearance, least, min(beyond, 1e300)):
+        assert (least <= value < beyond) == (level_of(value, CAUTION, warning, before) == before)

@@ -91,6 +91,11 @@ class Panel(StatePart):
             return AUTOMATIC_LAWS[self.law]
         return mode.laws[-1] if self.payload_axes else mode.laws[0]
 
+    @property
+    def stick_law(self) -> int:
+        """Number of the law for which stick directions are evaluated: of a manual mode, or else of ORB UNL."""
+        return self.flown if MODES[self.mode].kind == "manual" else ORB_UNL
+
 
 class Script(StatePart):
     """Progress of the scenario's script."""

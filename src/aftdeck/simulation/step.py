@@ -66,7 +66,7 @@ def step(flight: Flight, state: State, inputs: Inputs | None, most: int = 1) -> 
         count(flight, state)
 
     # log the events of the arm; end a script whose time is up
-    log_arm_events(flight, state, log, observed=reached == OBSERVED)
+    log_arm_events(flight, state, log, complete=reached == OBSERVED)
     if state.by_script:
         end_if_time_is_up(flight, state)
     return inputs

@@ -89,4 +89,4 @@ def _rest_of_step(flight: Flight, state: State) -> None:
     log = state.log(flight.scenario.control_period)
     complete(flight, state, log, Inputs(), DRIVEN if state.plant.bodies is None else STEERED)
     count(flight, state)
-    log_arm_events(flight, state, log, observed=False)
+    log_arm_events(flight, state, log, complete=False)

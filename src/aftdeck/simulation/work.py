@@ -24,7 +24,8 @@ from aftdeck.simulation.payloads.relations import permitted
 from aftdeck.simulation.payloads.sliding import sliding_payload
 from aftdeck.simulation.payloads.surroundings import follow_bodies
 from aftdeck.simulation.payloads.task_phases import change_task, task_of
-from aftdeck.simulation.period.period import JUDGED, SEEN, contacts
+from aftdeck.simulation.period.contact import seen
+from aftdeck.simulation.period.period import JUDGED, SEEN
 from aftdeck.simulation.period.quick import inhibit_of, move_prong
 from aftdeck.simulation.row.scalars import (
     CHANGED,
@@ -73,7 +74,7 @@ def update_worksite(flight: Flight, state: State, log: Log, inputs: Inputs, reac
         worksite.advice = None
     if reached > JUDGED:
         pressed = inputs.effector is not None or inputs.rigid is not None
-        if pressed and state.row.values[WORKS] == RESTS:  # the log tells why the end effector does not move
+        if pressed and state.row.values[WORKS] == RESTS:  # log why the end effector does not move
             capture(flight, worksite, plant, state.panel, log, inputs, attached=state.script.attached > 0)
         change_task(worksite, int(state.row.values[TASK]), log)
         return
@@ -107,7 +108,7 @@ def _update_contacts(flight: Flight, state: State) -> None:
     """Update the poses of all frames, the clearances, the contacts, and the inhibits that the contacts cause."""
     worksite, plant, scalars = state.worksite, state.plant, state.row.scalars
     scalars[STAND], scalars[PRONG_AT] = plant.stand.position, worksite.prong.position
-    contacts(*flight.packed, *state.row.packed, plant.frames)
+    seen(state.row.flat(flight.packed), plant.frames)
     values = state.row.values = scalars.tolist()
     worksite.nearest, worksite.watch.least = int(values[NEAREST]), values[LEAST]
     touching, changed = values[TOUCHING] != 0.0, values[CHANGED] != 0.0

@@ -13,7 +13,7 @@ from aftdeck.simulation.period.quick import take_advice
 from aftdeck.simulation.period.ways import BY_ONE_JOINT, BY_STICK
 from aftdeck.simulation.state import State
 from aftdeck.steering.layout import ANGLES, COMMAND, LAW
-from aftdeck.steering.mode import MODES, ORB_UNL
+from aftdeck.steering.mode import MODES
 
 AXES: tuple[tuple[Literal["rotation", "translation"], str], ...] = (
     ("rotation", "RHC {}roll"),
@@ -53,7 +53,7 @@ def steering_of(state: State) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """
     panel, angles = state.panel, state.plant.angles
     command, steering = np.zeros(COMMAND), state.steering.copy()
-    command[LAW] = panel.flown if MODES[panel.mode].kind == "manual" else ORB_UNL
+    command[LAW] = panel.stick_law
     steering[ANGLES : ANGLES + len(angles)] = angles
     return state.stick_rules, command, steering
 

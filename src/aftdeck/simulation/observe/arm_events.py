@@ -8,11 +8,11 @@ from aftdeck.simulation.frame import AT_HARD, FREE, PAST_REACH, PAST_SOFT, Level
 from aftdeck.simulation.log import Log, joint_label
 from aftdeck.simulation.motion.ways_out import ways_out
 from aftdeck.simulation.parts.worksite_state import WorksiteState
-from aftdeck.simulation.period.observe import observe_arm
+from aftdeck.simulation.period.observe import observed
 from aftdeck.simulation.period.quick import give_limits
 from aftdeck.simulation.row.scalars import ARM, BY_JOINT, FLOWN, LIMITS, STAND_VELOCITY
 from aftdeck.simulation.state import Panel, State
-from aftdeck.steering.mode import MODES, ORB_UNL
+from aftdeck.steering.mode import MODES
 from aftdeck.worksite.conditions import quantity_text
 from aftdeck.worksite.watch.alarm import level_of
 from aftdeck.worksite.watch.found import CLEARANCE
@@ -24,13 +24,13 @@ _ZONE_TEXTS = {FREE: "clear of its limits", PAST_REACH: "past its reach limit", 
                AT_HARD: "at its hard stop"}  # fmt: skip
 
 
-def log_arm_events(flight: Flight, state: State, log: Log, *, observed: bool) -> None:
+def log_arm_events(flight: Flight, state: State, log: Log, *, complete: bool) -> None:
     """Log changes of the joints' zones, the nearby singularities and the clearance level.
 
-    Also update the escape directions. `observed`: whether compiled code has observed the arm in this step.
+    Also update the escape directions. `complete`: whether compiled code has made the whole step.
     """
     panel = state.panel
-    if not observed:
+    if not complete:
         _observe(flight, state)
     if not (state.row.values[LIMITS] or panel.singular or any(panel.zones) or state.worksite.contacts.inhibit.arm):
         _log_clearance_level(flight, state.worksite, panel, log)
@@ -55,12 +55,11 @@ def log_arm_events(flight: Flight, state: State, log: Log, *, observed: bool) ->
 
 def _observe(flight: Flight, state: State) -> None:
     """Observe the arm after a step that Python code has made."""
-    panel, row = state.panel, state.row
-    scalars, mode = row.scalars, MODES[panel.mode]
+    panel, row, scalars = state.panel, state.row, state.row.scalars
     scalars[STAND_VELOCITY], scalars[ARM] = state.plant.stand.velocity, state.worksite.contacts.inhibit.arm
-    scalars[FLOWN], scalars[BY_JOINT] = panel.flown if mode.kind == "manual" else ORB_UNL, mode.by_joint
+    scalars[FLOWN], scalars[BY_JOINT] = panel.stick_law, MODES[panel.mode].by_joint
     give_limits(flight, state)
-    observe_arm(*flight.packed, *row.packed, state.arm.model.links, state.stick_rules)
+    observed(row.flat(flight.packed), state.arm.model.links, state.stick_rules)
     row.values = scalars.tolist()
 
 

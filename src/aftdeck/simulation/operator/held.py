@@ -4,19 +4,14 @@ from __future__ import annotations
 
 from msgspec.structs import replace
 
-from aftdeck.simulation.inputs import Inputs
+from aftdeck.simulation.inputs import STICKS, Inputs
 from aftdeck.simulation.state import State
 from aftdeck.steering.mode import MODES
 
-_NO_STICKS = {
-    "translation": (0.0, 0.0, 0.0), "rotation": (0.0, 0.0, 0.0), "orbiter": (0.0, 0.0, 0.0), "drive": 0.0,
-    "telescope": 0.0,
-}  # fmt: skip
-_KEPT = {
-    "mode": None, "joint": None, "rate": None, "payload_axes": None, "stop": False, "effector": None,
-    "effector_mode": None, "rigid": None, "latch": None,
-}  # fmt: skip
-"""Values of the sticks and of the switches whose positions act once."""
+_NOTHING = Inputs()
+_ONCE = ("mode", "joint", "rate", "payload_axes", "stop", "effector", "effector_mode", "rigid", "latch")
+"""Switches whose positions act in the first step, and in later steps at most on what ends a compiled call."""
+_AT_REST = {name: getattr(_NOTHING, name) for name in (*STICKS, *_ONCE)}
 
 
 def acts_once(state: State, inputs: Inputs) -> bool:
@@ -40,7 +35,4 @@ def acts_once(state: State, inputs: Inputs) -> bool:
         or inputs.mode not in (None, panel.mode)
     ):
         return False
-    return replace(inputs, **_NO_STICKS, **_KEPT) == _NOTHING
-
-
-_NOTHING = Inputs()
+    return replace(inputs, **_AT_REST) == _NOTHING

@@ -22,17 +22,14 @@ from aftdeck.bodies.pair import CONTACT, PAIR
 from aftdeck.law import law
 from aftdeck.lent import lend
 from aftdeck.simulation.constants.flight import Flight
-from aftdeck.simulation.row.aligning import DOCKING, GUIDES, Aligning, aligning_of
+from aftdeck.simulation.payloads.aligned import aligned_payload, is_aligned
+from aftdeck.simulation.row.aligning import Aligning, aligning_of
 from aftdeck.simulation.row.constants import learn_way
-from aftdeck.simulation.row.now import lent
+from aftdeck.simulation.row.now import Flat
 from aftdeck.simulation.row.on_way import PLACES, STEP
-from aftdeck.simulation.row.world import ENVELOPE, MOST, PORT, TIP, World, pairs_of, world_of
+from aftdeck.simulation.row.world import World, pairs_of, world_of
 from aftdeck.simulation.state import State
-from aftdeck.worksite.berths.berthing import OFFSET, offsets, over
-from aftdeck.worksite.berths.on_way import NEAR, on_way, straight_before
-from aftdeck.worksite.capture.acquisition import enclosed_bar
-from aftdeck.worksite.capture.grapple import around_axis
-from aftdeck.worksite.capture.snares import WIDER, WIDEST, fixture_in_effector
+from aftdeck.worksite.berths.on_way import NEAR, on_way
 from aftdeck.worksite.watch.clearance_monitor import ClearanceMonitor, Measured, measure_group
 from aftdeck.worksite.watch.contacts import FRAMES
 from aftdeck.worksite.watch.found import CLEARANCE
@@ -85,8 +82,7 @@ def alarm_pairs(
     contacts, before, aligned = worksite.contacts, worksite.aligned_with, UNKNOWN
     while aligned <= UNKNOWN:
         aligned = _marked(
-            *flight.packed,
-            *state.row.packed,
+            state.row.flat(flight.packed),
             *watch.packed,
             watch.active,
             frames,
@@ -108,12 +104,7 @@ def alarm_pairs(
 
 @law
 def _marked(
-    fixed_numbers: Array,
-    fixed_indices: Indices,
-    fixed_marks: Mask,
-    numbers: Array,
-    indices: Indices,
-    marks: Mask,
+    flat: Flat,
     at: Array,
     placed: Array,
     bound: Array,
@@ -134,8 +125,7 @@ def _marked(
     travel: float,
     counts: Mask,
 ) -> int:
-    """Mark the pairs that count, as `mark` does; the first six arguments are those of `row.now.lent`."""
-    flat = lent(fixed_numbers, fixed_indices, fixed_marks, numbers, indices, marks)
+    """Mark the pairs that count, as `mark` does, with the parts of its arguments one by one, as Python passes them."""
     own = Measured(lend(at), lend(placed), lend(bound), lend(likely), lend(memory), lend(found), lend(near))
     task = Contacting(lend(permitted), lend(frames_touching), lend(essential), lend(arm), inhibited)
     return mark(
@@ -208,32 +198,12 @@ def mark(
         _decide(world, aligning, frames, nearest, counts)
     if held >= 0:
         return -1
-    k = _aligned_payload(world, aligning, own.placed, frames, before)
+    k = aligned_payload(world, aligning, own.placed, frames, before)
     if k >= 0 and not (task.inhibited and _inhibited(task, aligning.grasped[k])):
         for g in range(len(counts)):
             if aligning.grasped[k, g] != 0:
                 counts[g] = 0
     return k
-
-
-@law
-def _aligned_payload(world: World, aligning: Aligning, placed: Array, frames: Array, before: int) -> int:
-    """Return the payload with which the empty end effector is aligned for capture; -1 for none.
-
-    Its bar is in front of the palm and between the fingers; or its pin is aligned with the snares in position and
-    attitude, within a wider range if they were aligned `before`.
-    """
-    if len(world.bars) > 0:
-        return enclosed_bar(placed, world.bars, world.tolerances, NEAR)
-    for k in range(len(world.fixtures)):
-        if world.fixtures[k, 0] != world.fixtures[k, 0]:  # NaN: no fixture
-            continue
-        (out, y, z), turned = fixture_in_effector(
-            frames, world.hand[0], world.effector, world.rows[k], world.fixtures[k]
-        )
-        if abs(out) <= NEAR and around_axis(aligning.envelope, y, z, turned, WIDEST if k == before else WIDER):
-            return k
-    return -1
 
 
 @law
@@ -360,47 +330,6 @@ def _decide(world: World, aligning: Aligning, frames: Array, nearest: int, count
             found[m] = found[first]
         else:
             depth = aligning.depths[m]
-            aligned = _is_aligned(world, aligning, frames, k, relation, depth, depth if reported else 0.0)
+            aligned = is_aligned(world, aligning, frames, k, relation, depth, depth if reported else 0.0)
             found[m] = 1 if aligned else 2
         counts[g] = 0 if found[m] == 1 else 1
-
-
-@law
-def _is_aligned(
-    world: World, aligning: Aligning, frames: Array, k: int, relation: int, depth: float, inside: float
-) -> bool:
-    """Return whether payload k and a berth would touch in a permitted relative position after a straight approach.
-
-    Args:
-        world: constants of the run.
-        aligning: constants of alignment.
-        frames: (F, 12) poses of all frames in L.
-        k: the payload.
-        relation: number of the relation.
-        depth: permitted penetration depth [m].
-        inside: least distance from the limits of the conditions after the approach [m]: `depth` if the pair with the
-            last minimum clearance has this payload and this relation, which keeps the lamp from flickering.
-    """
-    payload = frames[world.rows[k]]
-    for b in range(world.berth_begins[k], world.berth_begins[k + 1]):
-        if aligning.fits[b] != relation:
-            continue
-        berth = frames[world.berths[b]]
-        if relation == DOCKING:
-            port, probe = world.ports[b], world.probes[world.probe_begins[b] : world.probe_begins[b + 1]]
-            if straight_before(
-                probe, port[TIP:MOST], payload, berth, port[PORT:ENVELOPE], port[ENVELOPE:TIP].reshape(5, 4), depth,
-                NEAR, inside, port[MOST] - inside,
-            ):  # fmt: skip
-                return True
-        elif relation == GUIDES:
-            t, u = aligning.guides[b], aligning.guides[b + 1]
-            found = np.empty((u - t, OFFSET))
-            axes = aligning.axes[9 * t : 9 * u].reshape(u - t, 3, 3)
-            offsets(berth, payload, aligning.trunnions[t:u], aligning.seats[t:u], axes, found)
-            least, most, room = over(
-                found, aligning.opening[t:u], aligning.throat[t:u], aligning.height[t:u], aligning.play[t:u]
-            )
-            if least >= -depth and most <= NEAR and room >= inside:
-                return True
-    return False

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import numpy as np
 
-from aftdeck.arrays import Array, Indices, Mask
+from aftdeck.arrays import Array, Mask
 from aftdeck.law import large_law, law
 from aftdeck.lent import lend
 from aftdeck.simulation.period.predict import predicted
-from aftdeck.simulation.row.now import Flat, lent, motion_of, watch_of
+from aftdeck.simulation.row.now import Flat, motion_of, watch_of
 from aftdeck.simulation.row.scalars import ADVISED, HELD, SLIDES, TELESCOPE
 from aftdeck.simulation.row.world import world_of
 from aftdeck.steering.layout import RATES
@@ -35,12 +35,7 @@ def may_move(flat: Flat) -> bool:
 
 @law
 def ways_out(
-    fixed_numbers: Array,
-    fixed_indices: Indices,
-    fixed_marks: Mask,
-    numbers: Array,
-    indices: Indices,
-    marks: Mask,
+    flat: Flat,
     rates: Array,
     drives: Array,
     steps: float,
@@ -50,12 +45,7 @@ def ways_out(
     """Find how far each of several motions leads out of the present contacts.
 
     Args:
-        fixed_numbers: constants of the run and row of the state (`row.now.Flat`).
-        fixed_indices: the same.
-        fixed_marks: the same.
-        numbers: the same.
-        indices: the same.
-        marks: the same.
+        flat: constants of the run and row of the state.
         rates: (k, n) rates of the joints [rad/s].
         drives: (k,) drives of the telescope, in [-1, 1].
         steps: number of control steps, or share of one, for which each motion is tested first.
@@ -63,7 +53,6 @@ def ways_out(
         gains: (k,) output: the clearance that each motion gains [m], if it relieves the contacts. If none of them does:
             how much each lessens the depths if it is continued. 0 or less if it does not lead out.
     """
-    flat = lent(fixed_numbers, fixed_indices, fixed_marks, numbers, indices, marks)
     rates, drives, gains = lend(rates), lend(drives), lend(gains)
     counts, harmful = _kept_apart(flat, slides)
     may, best = np.empty(len(rates), np.bool_), -np.inf

@@ -7,12 +7,11 @@ is allowed, so that the operator can always back out. A held payload slides alon
 
 from __future__ import annotations
 
-from aftdeck.arrays import Array, Indices, Mask
+from aftdeck.arrays import Array
 from aftdeck.law import large_law, law
-from aftdeck.lent import lend
 from aftdeck.simulation.period.inhibit import may_move
 from aftdeck.simulation.period.slide import slid_along
-from aftdeck.simulation.row.now import Flat, lent, motion_of, watch_of
+from aftdeck.simulation.row.now import Flat, motion_of, watch_of
 from aftdeck.simulation.row.scalars import (
     AUTOMATIC,
     FIXED,
@@ -30,30 +29,6 @@ from aftdeck.steering.layout import CLOCK, CLOCK_RATE, RATES, RATIO, TWIST
 
 BERTH, SWITCH, CONTACT = 1.0, 2.0, 3.0
 """What blocks a commanded motion (`scalars.HALT`)."""
-
-
-@law
-def limit(
-    fixed_numbers: Array,
-    fixed_indices: Indices,
-    fixed_marks: Mask,
-    numbers: Array,
-    indices: Indices,
-    marks: Mask,
-    rules: Array,
-) -> None:
-    """Limit the motion that Python code has commanded, as `limited` does.
-
-    Args:
-        fixed_numbers: constants of the run and row of the state (`row.now.Flat`).
-        fixed_indices: the same.
-        fixed_marks: the same.
-        numbers: the same.
-        indices: the same.
-        marks: the same.
-        rules: the steering's rules that are in force.
-    """
-    limited(lent(fixed_numbers, fixed_indices, fixed_marks, numbers, indices, marks), lend(rules))
 
 
 @large_law

@@ -2,15 +2,24 @@
 
 from __future__ import annotations
 
-from aftdeck.arrays import Array, Indices, Mask
+from aftdeck.arrays import Array
 from aftdeck.kinematics.observe import observe_near
-from aftdeck.law import large_law, law
-from aftdeck.lent import lend
+from aftdeck.law import large_law
 from aftdeck.simulation.payloads.alignment import Contacting, mark
 from aftdeck.simulation.period.ways import escape, zoned
 from aftdeck.simulation.row.aligning import aligning_of
-from aftdeck.simulation.row.now import Flat, lent, limits_of, monitor_of, motion_of, watch_of
-from aftdeck.simulation.row.scalars import ALIGNED, ARM, HELD, LIMITS, NEAREST, SINGULAR, STAND_VELOCITY, TOLD, WITHIN
+from aftdeck.simulation.row.now import Flat, limits_of, monitor_of, motion_of, watch_of
+from aftdeck.simulation.row.scalars import (
+    ALIGNED,
+    ARM,
+    HELD,
+    LIMITS,
+    NEAREST,
+    NEW_LIMITS,
+    SINGULAR,
+    STAND_VELOCITY,
+    WITHIN,
+)
 from aftdeck.simulation.row.world import pairs_of, world_of
 
 
@@ -29,26 +38,10 @@ def observed(flat: Flat, links: Array, sticks: Array) -> None:
         links, now.angles, now.rates, v[STAND_VELOCITY], world.reach, world.constants[SINGULAR], now.observed
     )
     v[LIMITS] = 1.0 if near else 0.0
-    told = zoned(world, now, limits, near)
+    new = zoned(world, now, limits, near)
     if near and v[ARM] == 0.0:  # ways out of contacts take precedence
-        told = escape(world, now, limits, sticks) or told
-    v[TOLD] = 1.0 if told else 0.0
-
-
-@law
-def observe_arm(
-    fixed_numbers: Array,
-    fixed_indices: Indices,
-    fixed_marks: Mask,
-    numbers: Array,
-    indices: Indices,
-    marks: Mask,
-    links: Array,
-    sticks: Array,
-) -> None:
-    """Observe the arm as `observed` does, after a step that Python code has made; see `row.now.lent`."""
-    flat = lent(fixed_numbers, fixed_indices, fixed_marks, numbers, indices, marks)
-    observed(flat, lend(links), lend(sticks))
+        new = escape(world, now, limits, sticks) or new
+    v[NEW_LIMITS] = 1.0 if new else 0.0
 
 
 @large_law

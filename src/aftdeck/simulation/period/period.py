@@ -25,11 +25,11 @@ from aftdeck.simulation.row.scalars import (
     LEAST_SAME,
     MADE,
     NEAREST,
+    NEW_LIMITS,
     STAND_VELOCITY,
     STOPPED,
     TASK,
     TELESCOPE,
-    TOLD,
 )
 from aftdeck.worksite.watch.found import CLEARANCE
 
@@ -54,7 +54,7 @@ def advance(
     observes: bool,
     most: int,
 ) -> int:
-    """Make control steps after the operator's commands, until something happens that is not compiled or has to be told.
+    """Make control steps after the operator's commands, until something happens that Python has to handle.
 
     Args:
         fixed_numbers: constants of the run and row of the state (`row.now.Flat`).
@@ -84,7 +84,7 @@ def advance(
         v[TELESCOPE] = telescope
         reached = complete(flat, rules, resting, links, sticks, observes)
         made += 1
-        if reached == OBSERVED and tells(v, found, task):
+        if reached == OBSERVED and shows(v, found, task):
             break
     v[MADE] = made
     return reached
@@ -109,8 +109,8 @@ def complete(flat: Flat, rules: Array, resting: Array, links: Array, sticks: Arr
 
 
 @law
-def tells(v: Array, found: Array, task: float) -> bool:
-    """Return whether a complete step has changed something that the log or the panel tells.
+def shows(v: Array, found: Array, task: float) -> bool:
+    """Return whether a complete step has changed something that the log or the panel shows.
 
     Args:
         v: the row's scalars.
@@ -119,27 +119,10 @@ def tells(v: Array, found: Array, task: float) -> bool:
     """
     if v[CHANGED] != 0.0 or v[ARM] != v[INHIBITED] or v[FINGER] != v[STOPPED] or v[HINDERED] != FREELY:
         return True
-    if v[ARM] != 0.0 or v[FINGER] != 0.0 or v[TOLD] != 0.0 or v[TASK] != task:
+    if v[ARM] != 0.0 or v[FINGER] != 0.0 or v[NEW_LIMITS] != 0.0 or v[TASK] != task:
         return True
     clearance = found[int(v[NEAREST]), CLEARANCE] if v[NEAREST] >= 0.0 else FARTHEST
     return bool(clearance < v[LEAST_SAME] or clearance >= v[GREATEST_SAME])
-
-
-@law
-def contacts(
-    fixed_numbers: Array,
-    fixed_indices: Indices,
-    fixed_marks: Mask,
-    numbers: Array,
-    indices: Indices,
-    marks: Mask,
-    true: Array,
-) -> None:
-    """Place all frames, measure the clearances and count the contacts, after Python code has moved the bodies.
-
-    The arguments are those of `advance`; `true` is that of `contact.seen`.
-    """
-    seen(lent(fixed_numbers, fixed_indices, fixed_marks, numbers, indices, marks), lend(true))
 
 
 @law

@@ -9,11 +9,12 @@ import numpy as np
 
 from aftdeck.flat import parts, size
 from aftdeck.kinematics.observe import SEEN
-from aftdeck.simulation.row.now import INDICES, MARKS, NUMBERS, Limits, Tables, tables_of
+from aftdeck.simulation.row.now import INDICES, MARKS, NUMBERS, Flat, Limits, Tables, tables_of
 from aftdeck.simulation.row.scalars import GIVEN
 from aftdeck.steering.layout import LAW, MOTION_ACTIVE
 
 if TYPE_CHECKING:
+    from aftdeck.simulation.row.constants import Packed
     from aftdeck.simulation.state import State
 
 _GIVEN, _ORDERED = Struct(f"{GIVEN}d"), Struct(f"{MOTION_ACTIVE - LAW}d")
@@ -65,6 +66,10 @@ class Row:
         self.floats, self.limited, self.values = False, False, self.scalars.tolist()
         self._given, self._ordered = self.scalars.data.cast("B"), self._parts["command"].data.cast("B")
         self.packed = self.numbers, self.indices, self.marks
+
+    def flat(self, packed: Packed) -> Flat:
+        """Return the constants of a run and this row, as the laws take them; hot loops pass the arrays one by one."""
+        return Flat(*packed, *self.packed)
 
     def give(self, *values: float) -> None:
         """Write the first scalars, up to `scalars.GIVEN`; this takes less time than to assign them to the array."""

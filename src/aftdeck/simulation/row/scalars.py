@@ -72,7 +72,7 @@ LEAST = 39
 """Lower bound of the measured clearances [m]."""
 LIMITS = 40
 """1 if a joint is past its reach limit or a singularity is near."""
-TOLD = 41
+NEW_LIMITS = 41
 """1 if zones or near singularities have changed, or a cause has a way out by a stick that had none."""
 MADE = 42
 """Number of control steps that were made."""

@@ -25,7 +25,7 @@ from aftdeck.worksite.tables import Table, Text
 
 Acts = Literal[0, 1, 2]
 RESTS: Acts = 0
-"""Nothing moves; `EndEffector.step` only tells why."""
+"""Nothing moves; `EndEffector.step` returns at most the reason."""
 BEGINS: Acts = 1
 """A switch begins a motion."""
 MOVES: Acts = 2
