@@ -151,6 +151,7 @@ def panel_attitude(rotation: Array) -> tuple[float, float, float]:
     return _turn(pitch), _turn(yaw), _turn(roll)
 
 
+@elementary_law
 def angle_between(rows: Rows, other: Rows) -> float:
     """Return the angle [rad] of the rotation between two orientations, accurate from 0 to pi.
 

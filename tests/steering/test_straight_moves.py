@@ -14,6 +14,7 @@ import pytest
 
 import aftdeck
 from aftdeck.arrays import Array
+from aftdeck.bodies.placed import rows_of
 from aftdeck.frames import angle_between
 from aftdeck.law import load
 from aftdeck.steering import rehearsal
@@ -63,7 +64,7 @@ def final_error(name: str, move: Move, law: int) -> tuple[float, float, bool]:
     goal = arm.forward(move.end)
     arrived = rehearse(rules, command, state, np.zeros(REPORT), 3600.0)
     tip = arm.forward(state[ANGLES : ANGLES + 6])
-    turn = angle_between(tip.rotation.tolist(), goal.rotation.tolist())
+    turn = angle_between(rows_of(tip.rotation), rows_of(goal.rotation))
     return math.dist(tip.position, goal.position), math.degrees(turn), arrived
 
 
@@ -118,7 +119,7 @@ def shares_left(name: str, move: Move, law: int) -> Array:
     goal, poses = solve(move.end), [solve(q) for q in angles]
     left = np.array(
         [
-            (math.dist(pose.position, goal.position), angle_between(pose.rotation.tolist(), goal.rotation.tolist()))
+            (math.dist(pose.position, goal.position), angle_between(rows_of(pose.rotation), rows_of(goal.rotation)))
             for pose in poses
         ]
     )

@@ -56,7 +56,7 @@ def checked(given: object, controls: Sequence[Control]) -> list[float]:
         InputError: it has another shape, or a control is outside [-1, 1] or not a number.
     """
     actions = shaped(given, controls, 1)
-    if error := outside(actions, controls):
-        raise error
     values: list[float] = actions[0].tolist()
+    if not all([-1.0 <= value <= 1.0 for value in values]) and (error := outside(actions, controls)):
+        raise error
     return values

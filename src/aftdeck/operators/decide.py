@@ -8,10 +8,11 @@ from __future__ import annotations
 from typing import Literal
 
 import msgspec
+import numpy as np
 
-from aftdeck.arrays import Array
+from aftdeck.bodies.placed import components
 from aftdeck.bodies.pose import vec3
-from aftdeck.matrices import length, product
+from aftdeck.matrices import length
 from aftdeck.operators.approach import LINED_UP, Axis, Speeds, deflection, deflections
 from aftdeck.scenario.target import AtBerth, AtPayload
 from aftdeck.scenario.task_step import TaskStep
@@ -21,6 +22,7 @@ from aftdeck.steering.mode import MODES
 from aftdeck.task.along_sticks import along_sticks
 from aftdeck.task.progress import Progress
 from aftdeck.task.remaining import Remaining
+from aftdeck.tuples import Rows
 from aftdeck.worksite.conditions import all_ready
 
 CLOSED_BY_CLOSING = "prong closed"
@@ -38,15 +40,13 @@ _OPEN = 0.999
 """Opening from which on the end effector is open."""
 
 
-def decide(
-    frame: Frame, progress: Progress, axes: tuple[Array, Array], speeds: Speeds, orbiter: Speeds | None
-) -> Inputs:
+def decide(frame: Frame, progress: Progress, axes: tuple[Rows, Rows], speeds: Speeds, orbiter: Speeds | None) -> Inputs:
     """Return what the operator wants now.
 
     Args:
         frame: the newest frame.
         progress: progress through the task, which has seen this frame; a step is present.
-        axes: axes of the THC and of the RHC, each (3, 3) in L, in columns.
+        axes: axes of the THC and of the RHC, in L, in columns.
         speeds: speeds of the arm.
         orbiter: speeds of the orbiter; None if it cannot translate.
     """
@@ -113,7 +113,7 @@ def _capture(frame: Frame, remaining: Remaining | None) -> Inputs | None:
 
 
 def moved(
-    frame: Frame, step: TaskStep, progress: Progress, axes: tuple[Array, Array], speeds: Speeds, orbiter: Speeds | None
+    frame: Frame, step: TaskStep, progress: Progress, axes: tuple[Rows, Rows], speeds: Speeds, orbiter: Speeds | None
 ) -> Inputs:
     """Return the sticks that bring the run closer to the state that completes the step."""
     done, remaining = step.done, progress.remaining()
@@ -143,7 +143,7 @@ def moved(
         thc, rhc = deflections(
             left,
             remaining,
-            None if out is None else product(out, axes[0]),
+            None if out is None else np.array(components(out, axes[0])),
             tuple("XYZ".index(axis) for axis in step.way),
             speeds,
         )

@@ -5,12 +5,12 @@ from __future__ import annotations
 import numpy as np
 
 from aftdeck.arrays import Array
-from aftdeck.frames import SCENE_FROM_PANEL_AXES, Pose, quaternion
+from aftdeck.frames import SCENE_FROM_PANEL_AXES, quaternion
 from aftdeck.matrices import product
 from aftdeck.scenario.model import Scenario
 from aftdeck.scene.bodies import draws_payload
 from aftdeck.scene.poses import ArmPoses
-from aftdeck.simulation.frame import Frame
+from aftdeck.simulation.frame import Frame, Placed
 from aftdeck.simulation.observe.look_ahead import Ahead
 from aftdeck.tuples import Rows, Vec3
 
@@ -83,10 +83,10 @@ class ScenePoses:
         x, y, z = product(self._turn, np.array(components)).tolist()
         return x, y, z
 
-    def motion(self, motion: Pose) -> tuple[float, ...]:
+    def motion(self, motion: Placed) -> tuple[float, ...]:
         """Convert a rigid motion, x to R x + p in L, to the same motion in the scene, as seven numbers."""
-        turn = product(product(self._turn, motion.rotation), self._turn.T)
-        moved = product(self._turn, motion.position) + self._origin - product(turn, self._origin)
+        turn = product(product(self._turn, np.array(motion.orientation)), self._turn.T)
+        moved = product(self._turn, np.array(motion.position)) + self._origin - product(turn, self._origin)
         return *moved.tolist(), *quaternion(turn)
 
 

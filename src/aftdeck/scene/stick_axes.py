@@ -4,36 +4,40 @@ from __future__ import annotations
 
 import numpy as np
 
-from aftdeck.arrays import Array
+from aftdeck.bodies.placed import matrix_product, rows_of, transposed
 from aftdeck.frames import rotation_x
-from aftdeck.matrices import product
 from aftdeck.scenario.model import Scenario
 from aftdeck.simulation.frame import Frame
 from aftdeck.steering.mode import MODES
+from aftdeck.tuples import Rows
 
 MIXED = 7
 """Number of the steering law in which the RHC acts about the payload's axes, and the THC along the orbiter's."""
+_PANEL = ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0))
+"""The panel's own axes."""
 
 
 class StickAxes:
     """Axes along which the sticks of a scenario act."""
 
     def __init__(self, scenario: Scenario) -> None:
-        self._mount = scenario.arm.model.mount.rotation
-        self._hand: Array = np.eye(3) if scenario.strict else rotation_x(scenario.arm.model.end_effector_roll)
+        self._mount = rows_of(scenario.arm.model.mount.rotation)
+        self._to_l = transposed(self._mount)
+        self._hand = rows_of(np.eye(3) if scenario.strict else rotation_x(scenario.arm.model.end_effector_roll))
 
-    def in_panel(self, frame: Frame) -> Array:
-        """Return the axes (3, 3), in columns, in panel components: the THC's X, Y, Z."""
+    def in_panel(self, frame: Frame) -> Rows:
+        """Return the axes, in columns, in panel components: the THC's X, Y, Z."""
         along = MODES[frame.mode].axes
         if along == "end effector axes":
-            return product(self._mount, product(np.array(frame.orientation), self._hand))
+            return matrix_product(self._mount, matrix_product(frame.orientation, self._hand))
         if along == "payload axes" and frame.payload is not None:
-            return product(self._mount, np.array(frame.payload[1]))
-        return np.eye(3)
+            return matrix_product(self._mount, frame.payload.orientation)
+        return _PANEL
 
-    def in_l(self, frame: Frame) -> tuple[Array, Array]:
-        """Return the axes of the THC and of the RHC, each (3, 3), in columns, in L; they differ in mode 7 only."""
-        moving = product(self._mount.T, self.in_panel(frame))
+    def in_l(self, frame: Frame) -> tuple[Rows, Rows]:
+        """Return the axes of the THC and of the RHC, in columns, in L; they differ in mode 7 only."""
+        axes = self.in_panel(frame)
+        moving = self._to_l if axes is _PANEL else matrix_product(self._to_l, axes)
         if frame.law == MIXED and frame.payload is not None:
-            return moving, np.array(frame.payload[1])
+            return moving, frame.payload.orientation
         return moving, moving

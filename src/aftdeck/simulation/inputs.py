@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
+from functools import lru_cache
+from operator import attrgetter
 from typing import Literal, get_args, get_origin, get_type_hints
 
 import msgspec
@@ -106,9 +108,9 @@ class Inputs(msgspec.Struct, frozen=True):
         if not all([-1.0 <= deflection <= 1.0 for deflection in sticks]):
             name = next(name for name in STICKS if not _within_travel(getattr(self, name)))
             raise self._error(name)
-        for name, positions in POSITIONS.items():
-            if (value := getattr(self, name)) is not None and value not in positions:
-                raise self._error(name)
+        if not _possible(_switches(self)):
+            name = next(name for name, value in zip(POSITIONS, _switches(self), strict=True) if not _is(name, value))
+            raise self._error(name)
         number = len(arm.joints)
         if self.joint is not None and not 0 <= self.joint < number:
             raise InputError(f"joint: got {short(self.joint)}, expected 0 to {number - 1}")
@@ -145,6 +147,21 @@ def _positions() -> dict[str, tuple[object, ...]]:
 
 POSITIONS = _positions()
 """Positions of each switch, by field name."""
+
+
+_switches = attrgetter(*POSITIONS)
+"""Function that returns the positions of all switches of an `Inputs`, in the order of `POSITIONS`."""
+
+
+@lru_cache(maxsize=256)
+def _possible(positions: tuple[object, ...]) -> bool:
+    """Return whether each switch has its position, or keeps it."""
+    return all(_is(name, position) for name, position in zip(POSITIONS, positions, strict=True))
+
+
+def _is(name: str, position: object) -> bool:
+    """Return whether a switch has a position; None keeps it."""
+    return position is None or position in POSITIONS[name]
 
 
 def _either(positions: Sequence[object]) -> str:

@@ -6,6 +6,18 @@ import contextlib
 
 from msgspec.structs import replace
 
+from aftdeck.bodies.placed import (
+    along_axes,
+    carried,
+    components,
+    composed,
+    inverted,
+    matrix_product,
+    motion_left,
+    transposed,
+    turned,
+    twist_along,
+)
 from aftdeck.errors import AftdeckError
 from aftdeck.frames import quaternion_of_rows
 from aftdeck.scenario.model import Scenario
@@ -13,6 +25,7 @@ from aftdeck.scenario.target import target_at
 from aftdeck.simulation.begin import initial_state
 from aftdeck.simulation.constants.flight import Flight, run_constants
 from aftdeck.simulation.fly import complete
+from aftdeck.simulation.frame import Placed
 from aftdeck.simulation.inputs import Inputs
 from aftdeck.simulation.motion.contact_out import way_out_of_contact
 from aftdeck.simulation.observe.arm_events import log_arm_events
@@ -42,6 +55,7 @@ def warm_up(scenario: Scenario) -> None:
     step(flight, state, Inputs())
     frame_of(flight, state, digest(state))
     quaternion_of_rows(here.rotation)  # recordings contain quaternions
+    _guide(Placed(here.position, here.rotation))
     rate_ratio(state.rules, state.steering)
     for law in AUTOMATIC_LAWS:
         step(flight, state, Inputs(mode="OPR CMD", law=law, target=here, proceed=True))
@@ -64,6 +78,17 @@ def warm_up(scenario: Scenario) -> None:
     if flight.site.payloads:
         present_objective(flight.site, state.worksite)
         _carry(flight, state)
+
+
+def _guide(tip: Placed) -> None:
+    """Compute the remaining motion along the sticks, as the operator's guide, a pilot and an environment do."""
+    transposed(tip.orientation)
+    composed(*tip, *inverted(*carried(*tip, *tip, *tip)))
+    matrix_product(tip.orientation, tip.orientation)
+    motion, _, _ = motion_left(*tip, *tip, tip.position)
+    along_axes(*motion, tip.position, tip.orientation, tip.orientation)
+    twist_along((*tip.position, *tip.position), tip.orientation, tip.orientation)
+    components(turned(tip.orientation, tip.position), tip.orientation)
 
 
 def _carry(flight: Flight, state: State) -> None:

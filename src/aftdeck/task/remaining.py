@@ -5,15 +5,11 @@ from __future__ import annotations
 import math
 from typing import NamedTuple
 
-import numpy as np
-
-from aftdeck.frames import Pose, angle_between
-from aftdeck.matrices import product
+from aftdeck.bodies.placed import motion_left
 from aftdeck.scenario.model import Scenario
-from aftdeck.scenario.relative import composed, inverted
-from aftdeck.scenario.target import AtBerth, AtPayload, RelativeTarget, Target, target_at
+from aftdeck.scenario.target import AtBerth, AtPayload, RelativeTarget, Target
 from aftdeck.scenario.task_step import TaskStep
-from aftdeck.simulation.frame import Frame
+from aftdeck.simulation.frame import Frame, Placed
 from aftdeck.steering.mode import MODES
 from aftdeck.task.places import Places
 from aftdeck.worksite.conditions import all_ready
@@ -44,8 +40,8 @@ class Remaining(NamedTuple):
     """
 
     to: str
-    pose: Pose | None
-    motion: Pose | None
+    pose: Placed | None
+    motion: Placed | None
     distance: float
     angle: float
     near: tuple[float, float]
@@ -86,7 +82,7 @@ class Aims:
             return Remaining(name, None, None, 0.0, angle, near)
         target = self.target(frame, step)
         if target is None and frame.goal is not None and MODES[frame.mode].kind == "automatic":
-            goal = Pose(np.array(frame.goal.position), np.array(frame.goal.rotation))
+            goal = Placed(frame.goal.position, frame.goal.rotation)
             return self._to(frame, "target", goal, self._near(step))
         pose = None if target is None else self.places.target(frame, target)
         if target is None or pose is None:
@@ -117,7 +113,7 @@ class Aims:
                 at, to = frame.work.cargo[held].position, self.places.seated(frame, target, held)
             case _:
                 return False
-        return math.dist(at, to.position.tolist()) > distance + _ROUNDED_M
+        return math.dist(at, to.position) > distance + _ROUNDED_M
 
     def target(self, frame: Frame, step: TaskStep | None) -> Target | RelativeTarget | None:
         """Return the target of the present step, or else of the present objective; None if there is none.
@@ -136,15 +132,11 @@ class Aims:
         berth = None if frame.work.objective is None else self.places.berth(frame, k)
         return None if berth is None else AtBerth(berth.name)
 
-    def _to(self, frame: Frame, to: str, pose: Pose, near: tuple[float, float]) -> Remaining:
-        at, tip = target_at(pose), self.places.tip(frame)
-        point = tip
-        if (k := self.places.held(frame)) is not None:
-            point = self.places.payload(frame, k)
-        motion = composed(pose, inverted(tip))
-        moved = product(motion.rotation, point.position) + motion.position
-        distance = math.dist(moved.tolist(), point.position.tolist())
-        return Remaining(to, pose, motion, distance, angle_between(at.rotation, frame.orientation), near)
+    def _to(self, frame: Frame, to: str, pose: Placed, near: tuple[float, float]) -> Remaining:
+        held = self.places.held(frame)
+        point = frame.position if held is None else frame.work.cargo[held].position
+        motion, distance, angle = motion_left(*pose, frame.position, frame.orientation, point)
+        return Remaining(to, pose, Placed(*motion), distance, angle, near)
 
     def _near(self, step: TaskStep | None, usual: tuple[float, float] = (_NEAR_M, _NEAR_RAD)) -> tuple[float, float]:
         done = None if step is None else step.done

@@ -8,7 +8,6 @@ from collections.abc import Iterator
 import msgspec
 import numpy as np
 
-from aftdeck.arrays import Array
 from aftdeck.files import Problem
 from aftdeck.frames import SCENE_FROM_PANEL_AXES
 from aftdeck.matrices import product
@@ -48,7 +47,7 @@ class StepCameras:
             return 0.0
         if self._cameras.camera(camera).body not in self._scenario.arm.model.frames:
             frame = self._at_target(frame, step)
-        x, y, z = product(SCENE_FROM_PANEL_AXES, self._sticks.in_panel(frame)).T
+        x, y, z = product(SCENE_FROM_PANEL_AXES, np.array(self._sticks.in_panel(frame))).T
         right, down, ahead = self._cameras.seen(self._start, self._bodies, camera).axes
         return math.acos(min(1.0, max(-1.0, (float(ahead @ x + right @ y + down @ z) - 1.0) / 2.0)))
 
@@ -56,8 +55,7 @@ class StepCameras:
         left = self._aims.remaining(frame, step)
         if left is None or left.pose is None:
             return frame
-        rows: Array = np.array(left.pose.rotation)
-        return msgspec.structs.replace(frame, orientation=tuple(tuple(row) for row in rows.tolist()))
+        return msgspec.structs.replace(frame, orientation=left.pose.orientation)
 
 
 def turned_pictures(scenario: Scenario) -> Iterator[Problem]:

@@ -43,6 +43,7 @@ class Observer:
         self._names = [one.reading for one in observed]  # names can be pickled, readings cannot
         self._scenario, self._sticks = scenario, StickAxes(scenario)
         self.space = observation_space(observed)
+        self._low, self._high = self.space.low.astype(np.float64), self.space.high.astype(np.float64)
         self._arrays = AlignedFloats(*self.space.shape)
 
     def of(self, frame: Frame, left: Remaining | None) -> Floats32:
@@ -53,13 +54,11 @@ class Observer:
             left: remaining motion; None if there is no place to move to.
         """
         known = Known(frame, self._scenario, along=seen_along(frame, left, self._sticks.in_l(frame)))
-        values = np.fromiter(
-            (value for reading in self._readings for value in reading.values(known)), np.float64, len(self._zero)
-        )
+        values = np.array([value for reading in self._readings for value in reading.values(known)], np.float64)
         values -= self._zero
         values /= self._one
-        np.maximum(values, self.space.low, out=values)
-        np.minimum(values, self.space.high, out=values)
+        np.maximum(values, self._low, out=values)
+        np.minimum(values, self._high, out=values)
         observation = self._arrays.new()
         observation[:] = values
         return observation

@@ -62,7 +62,8 @@ class Starts:
         assert pose is not None, "`base_of` gives a held payload to a step that needs one"
         small = product(product(rotation_x(turn[0]), rotation_y(turn[1])), rotation_z(turn[2]))
         try:
-            angles = self._arm.inverse(Pose(pose.position, product(pose.rotation, small)), near=self._base.angles)[0]
+            turned = product(np.array(pose.orientation), small)
+            angles = self._arm.inverse(Pose(np.array(pose.position), turned), near=self._base.angles)[0]
         except AftdeckError:
             return None
         return Start(angles, np.zeros(len(angles)), self._base.stand, self._base.grasped)

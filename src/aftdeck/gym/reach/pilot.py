@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+import numpy as np
+
+from aftdeck.frames import Pose
 from aftdeck.gym.policy import Policy
 from aftdeck.gym.reach.observer import Observer
 from aftdeck.scenario.model import Scenario
@@ -30,5 +33,6 @@ class ReachPilot:
         left = self.progress.remaining()
         if self.progress.present is None or left is None or left.pose is None:
             return None
-        x, y, z, roll, pitch, yaw = self._policy.act(self._observer.in_frame(left.pose, frame).values).tolist()
+        goal = Pose(np.array(left.pose.position), np.array(left.pose.orientation))
+        x, y, z, roll, pitch, yaw = self._policy.act(self._observer.in_frame(goal, frame).values).tolist()
         return Inputs(translation=(x, y, z), rotation=(roll, pitch, yaw))

@@ -6,6 +6,8 @@ import math
 from collections.abc import Iterator
 from functools import cached_property
 
+import numpy as np
+
 from aftdeck.arrays import Array
 from aftdeck.frames import SCENE_FROM_PANEL_AXES
 from aftdeck.report.metric import Found, Metric, Value
@@ -77,7 +79,7 @@ class Pictures:
 
     def _angles(self, frame: Frame) -> list[float]:
         """Return the angle of each picture [rad], without views for engineers, which the page moves freely."""
-        sticks = SCENE_FROM_PANEL_AXES @ self._sticks.in_panel(frame)
+        sticks = SCENE_FROM_PANEL_AXES @ np.array(self._sticks.in_panel(frame))
         bodies, cameras = self._cameras.bodies_at(frame), self._cameras.cameras
         names = [name for shown in self._monitors.values() for name in shown if name in cameras]
         return [

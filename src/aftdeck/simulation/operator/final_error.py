@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 
 from aftdeck.arrays import Array
+from aftdeck.bodies.placed import rows_of
 from aftdeck.frames import angle_between
 from aftdeck.kinematics.arm import Arm
 from aftdeck.matrices import distance
@@ -32,7 +33,7 @@ def final_error_text(scenario: Scenario, arm: Arm, angles: Array, target: Target
     """
     tip = arm.forward(angles)
     away = distance(tip.position.tolist(), target.position)
-    angle = angle_between(tip.rotation.tolist(), target.rotation)
+    angle = angle_between(rows_of(tip.rotation), target.rotation)
     if away <= max(REACHED, scenario.near) and angle <= max(REACHED_TURN, scenario.near_turn):
         return ""
     length = f"{away:.2f} m" if away >= 1.0 else f"{away * 1e3:.{0 if away >= _FINE else 1}f} mm"

@@ -7,7 +7,6 @@ from functools import cache
 from operator import attrgetter
 from typing import Annotated, Any, Literal, NamedTuple, get_type_hints
 
-from aftdeck.arrays import Array
 from aftdeck.field_meta import field_meta
 from aftdeck.plant.readings import Readings
 from aftdeck.scenario.model import Scenario
@@ -15,6 +14,7 @@ from aftdeck.simulation.frame import Dynamics, Frame
 from aftdeck.simulation.readings.quantity import SLID, UNITS, Quantity
 from aftdeck.simulation.readings.source import OWN
 from aftdeck.table import Cell
+from aftdeck.tuples import Vec3
 from aftdeck.worksite.report import Hand, Work
 from aftdeck.worksite.watch.alarm import Level
 
@@ -26,16 +26,16 @@ MATRIX = tuple(f"r{i}{j}" for i in "123" for j in "123")
 
 
 class Along(NamedTuple):
-    """Remaining motion, and present motion, along the axes of the sticks; each (3,)."""
+    """Remaining motion, and present motion, along the axes of the sticks."""
 
     to_go: Annotated[
-        Array, field_meta("remaining motion of the point that the sticks move, along their axes; 0 for no place", "m")
+        Vec3, field_meta("remaining motion of the point that the sticks move, along their axes; 0 for no place", "m")
     ]
     rotation_to_go: Annotated[
-        Array, field_meta("remaining rotation about the sticks' axes: unit axis times angle; 0 for no place", "rad")
+        Vec3, field_meta("remaining rotation about the sticks' axes: unit axis times angle; 0 for no place", "rad")
     ]
-    velocity: Annotated[Array, field_meta("velocity of the point that the sticks move, along their axes", "m/s")]
-    turning: Annotated[Array, field_meta("angular velocity about the sticks' axes", "rad/s")]
+    velocity: Annotated[Vec3, field_meta("velocity of the point that the sticks move, along their axes", "m/s")]
+    turning: Annotated[Vec3, field_meta("angular velocity about the sticks' axes", "rad/s")]
 
 
 class Known(NamedTuple):

@@ -104,7 +104,7 @@ class Displays:
         tip = Pose(np.array(frame.position), np.array(frame.orientation))
         loaded = MODES[frame.mode].loaded and not self._scenario.strict
         shown = Pose(np.array(frame.resolution), self._shown_axes(frame, tip, loaded))
-        control = self._sticks.in_panel(frame)
+        control = np.array(self._sticks.in_panel(frame))
         work, left = frame.work, progress.remaining() if progress else self._aims.remaining(frame, None)
         closing = progress.closing() if progress else None
         display = Display(

@@ -2,16 +2,16 @@
 
 from __future__ import annotations
 
-from aftdeck.arrays import Array
 from aftdeck.scene.everything import ScenePoses
 from aftdeck.simulation.frame import Frame
 from aftdeck.station.messages.frame import ToGo
 from aftdeck.task.along_sticks import along_sticks
 from aftdeck.task.remaining import Remaining
+from aftdeck.tuples import Rows
 
 
 def to_go(
-    remaining: Remaining, frame: Frame, scene: ScenePoses, axes: tuple[Array, Array], closing: float | None = None
+    remaining: Remaining, frame: Frame, scene: ScenePoses, axes: tuple[Rows, Rows], closing: float | None = None
 ) -> ToGo:
     """Return the message about the remaining motion in a frame.
 
@@ -19,7 +19,7 @@ def to_go(
         remaining: the remaining motion.
         frame: the frame.
         scene: poses in the scene.
-        axes: axes of the THC and of the RHC, each (3, 3) in L, in columns.
+        axes: axes of the THC and of the RHC, in L, in columns.
         closing: speed at which the distance becomes smaller [m/s]; None if it is not known.
     """
     translation, rotation = along_sticks(remaining, frame, axes) or (None, None)
