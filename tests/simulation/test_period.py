@@ -16,20 +16,26 @@ from aftdeck.simulation.inputs import Inputs
 from aftdeck.simulation.period.contact import seen
 from aftdeck.simulation.period.drive import driven
 from aftdeck.simulation.period.limit import limited
-from aftdeck.simulation.period.period import DRIVEN, OBSERVED, SEEN
+from aftdeck.simulation.period.period import DRIVEN, OBSERVED, SEEN, UNCHANGED
 from aftdeck.simulation.period.quick import give, quick_step, take
 from aftdeck.simulation.row.scalars import BEGAN, MADE
 from aftdeck.simulation.run import Simulation
 from aftdeck.simulation.state import State
+from aftdeck.steering.mode import MODES
 from tests.simulation.flights import random_inputs
 
 STEPS = 700
 """Number of steps of each run."""
+LEAVES_SWITCHES = 0.9
+"""Share of the steps in which only sticks move, where a test chooses them."""
 
 
-def in_python(flight: Flight, state: State, inputs: Inputs, *, observes: bool, most: int = 1) -> int:
+def in_python(
+    flight: Flight, state: State, inputs: Inputs, *, observes: bool, most: int = 1, goes_on: bool = False
+) -> int:
     """Replace `quick_step`: steer in Python, move by laws, and leave the rest of the step to Python."""
     del observes, most
+    assert not goes_on
     fly._steer(state)
     began = state.panel.motion_began
     give(flight, state, inputs)
@@ -72,14 +78,36 @@ def test_most_steps_are_compiled_as_a_whole(name: str, monkeypatch: pytest.Monke
     reached: Counter[int] = Counter()
     own = quick_step
 
-    def counted(flight: Flight, state: State, inputs: Inputs, *, observes: bool, most: int = 1) -> int:
-        found = own(flight, state, inputs, observes=observes, most=most)
+    def counted(
+        flight: Flight, state: State, inputs: Inputs, *, observes: bool, most: int = 1, goes_on: bool = False
+    ) -> int:
+        found = own(flight, state, inputs, observes=observes, most=most, goes_on=goes_on)
         reached[found] += observes
         return found
 
     monkeypatch.setattr(fly, "quick_step", counted)
     digests(name, None if load_scenario(name).phases else 1, 2000)
-    assert reached[OBSERVED] > 0.5 * reached.total(), reached
+    assert reached[OBSERVED] + reached[UNCHANGED] > 0.5 * reached.total(), reached
+
+
+@pytest.mark.parametrize("name", built_in())
+@pytest.mark.parametrize("seed", [1, 2])
+def test_steps_with_sticks_alone_are_as_steps_that_do_everything(name: str, seed: int) -> None:
+    random = np.random.default_rng(seed)
+    quick, whole = Simulation(name), Simulation(name)
+    alone, went_on, turn = random_inputs(random, STEPS), 0, Inputs()
+    for switched in alone:
+        if random.random() < LEAVES_SWITCHES:
+            turn = Inputs(translation=switched.translation, rotation=switched.rotation, drive=switched.drive)
+        else:
+            turn = switched
+        quick.advance(turn)
+        whole._state.row.goes_on = False
+        whole.advance(turn)
+        went_on += quick._state.row.goes_on
+        assert quick.seal() == whole.seal() and quick.look() == whole.look()
+    begins = quick.scenario
+    assert went_on > 0 or begins.plant != "kinematic" or MODES[begins.mode].kind == "automatic"
 
 
 @pytest.mark.parametrize("name", built_in())

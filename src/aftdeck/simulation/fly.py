@@ -11,7 +11,7 @@ from aftdeck.simulation.operator.holds import hold_position
 from aftdeck.simulation.operator.panel import operate
 from aftdeck.simulation.payloads.disturbances import disturb
 from aftdeck.simulation.payloads.surroundings import surroundings
-from aftdeck.simulation.period.period import STEERED
+from aftdeck.simulation.period.period import STEERED, UNCHANGED
 from aftdeck.simulation.period.quick import limit_motion, quick_step
 from aftdeck.simulation.state import State
 from aftdeck.simulation.work import update_worksite
@@ -27,7 +27,16 @@ def fly(flight: Flight, state: State, log: Log, inputs: Inputs) -> None:
     go(flight, state, log, inputs, observes=False)
 
 
-def go(flight: Flight, state: State, log: Log, inputs: Inputs, *, observes: bool, most: int = 1) -> int:
+def go(
+    flight: Flight,
+    state: State,
+    log: Log,
+    inputs: Inputs,
+    *,
+    observes: bool,
+    most: int = 1,
+    goes_on: bool = False,
+) -> int:
     """Steer, limit the motion to what contacts and berths allow, and move the plant and the worksite.
 
     Args:
@@ -38,6 +47,7 @@ def go(flight: Flight, state: State, log: Log, inputs: Inputs, *, observes: bool
             sticks and the selected mode are in `state.command`.
         observes: as for `period.period.advance`.
         most: as for `quick_step`; 1 on a plant with masses.
+        goes_on: as for `quick_step`; False on a plant with masses.
 
     Returns:
         How far compiled code has made the last step (`period.period.advance`).
@@ -46,7 +56,9 @@ def go(flight: Flight, state: State, log: Log, inputs: Inputs, *, observes: bool
         state.command[MOTION_ACTIVE] = 0.0
     hold_position(flight.plant, state)
     if state.plant.bodies is None:
-        reached = quick_step(flight, state, inputs, observes=observes, most=most)
+        reached = quick_step(flight, state, inputs, observes=observes, most=most, goes_on=goes_on)
+        if goes_on and reached == UNCHANGED:
+            return reached
         log = log if most == 1 else state.log(flight.scenario.control_period)
     else:
         reached = STEERED

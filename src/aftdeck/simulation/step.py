@@ -9,11 +9,11 @@ from aftdeck.simulation.fly import go
 from aftdeck.simulation.inputs import Inputs
 from aftdeck.simulation.observe.arm_events import log_arm_events
 from aftdeck.simulation.operator.command_delay import delayed
-from aftdeck.simulation.operator.held import acts_once
-from aftdeck.simulation.operator.panel import operate
+from aftdeck.simulation.operator.held import acts_once, is_idle, only_sticks
+from aftdeck.simulation.operator.panel import operate, order
 from aftdeck.simulation.operator.script import end_if_time_is_up, hand_over, phase_name, play
 from aftdeck.simulation.payloads.alignment import count
-from aftdeck.simulation.period.period import COUNTED, OBSERVED
+from aftdeck.simulation.period.period import COUNTED, OBSERVED, UNCHANGED
 from aftdeck.simulation.state import State
 
 
@@ -37,25 +37,29 @@ def step(flight: Flight, state: State, inputs: Inputs | None, most: int = 1) -> 
     state.events = []
     log = state.log(flight.scenario.control_period)
 
-    # inputs of the script, or of the operator after the command delay
-    state.by_script, state.phase = inputs is None or inputs.script, ""
-    if inputs is None or inputs.script:
-        inputs = play(flight, state)
-        state.phase = phase_name(flight.scenario.phases, state.script)
+    sticks_only = inputs is not None and only_sticks(inputs)
+    if goes_on := state.row.goes_on and inputs is not None and sticks_only:
+        order(flight, state, log, inputs)  # nothing but the sticks has moved since the last step
     else:
-        hand_over(flight, state)
-        inputs = delayed(state, inputs)
-    if inputs.initialise is not None:
-        initialise(flight, state, inputs.initialise)
-    operate(flight, state, log, inputs)
+        # inputs of the script, or of the operator after the command delay
+        state.by_script, state.phase = inputs is None or inputs.script, ""
+        if inputs is None or inputs.script:
+            inputs = play(flight, state)
+            state.phase = phase_name(flight.scenario.phases, state.script)
+        else:
+            hand_over(flight, state)
+            inputs = delayed(state, inputs)
+        if inputs.initialise is not None:
+            initialise(flight, state, inputs.initialise)
+        operate(flight, state, log, inputs)
 
-    # continue CMD CK; after PROCEED, a GOOD verdict starts the motion
-    check(flight, state, log)
+        # continue CMD CK; after PROCEED, a GOOD verdict starts the motion
+        check(flight, state, log)
+        if most > 1 and not acts_once(state, inputs):
+            most = 1
 
     # steering commands the joint rates; contacts and berths limit these rates; the plant and the worksite move
-    if most > 1 and not acts_once(state, inputs):
-        most = 1
-    reached = go(flight, state, log, inputs, observes=True, most=most)
+    reached = go(flight, state, log, inputs, observes=True, most=most, goes_on=goes_on)
     log = state.log(flight.scenario.control_period)
     if inputs.camera is not None:
         state.views = flight.cameras.driven(state.views, inputs.camera, flight.scenario.control_period)
@@ -66,7 +70,8 @@ def step(flight: Flight, state: State, inputs: Inputs | None, most: int = 1) -> 
         count(flight, state)
 
     # log the events of the arm; end a script whose time is up
-    log_arm_events(flight, state, log, complete=reached == OBSERVED)
+    log_arm_events(flight, state, log, complete=reached >= OBSERVED)
     if state.by_script:
         end_if_time_is_up(flight, state)
+    state.row.goes_on = sticks_only and reached == UNCHANGED and is_idle(state)
     return inputs

@@ -1,6 +1,8 @@
-"""Inputs that stay as they are over several control steps."""
+"""Inputs that only move sticks, and states in which nothing else has to be done: then Python has little to do."""
 
 from __future__ import annotations
+
+from operator import attrgetter
 
 from msgspec.structs import replace
 
@@ -12,16 +14,20 @@ _NOTHING = Inputs()
 _ONCE = ("mode", "joint", "rate", "payload_axes", "stop", "effector", "effector_mode", "rigid", "latch")
 """Switches whose positions act in the first step, and in later steps at most on what ends a compiled call."""
 _AT_REST = {name: getattr(_NOTHING, name) for name in (*STICKS, *_ONCE)}
+_others = attrgetter(*(set(Inputs.__struct_fields__) - set(STICKS)), "orbiter")
+"""Function that returns all inputs except the arm's sticks."""
+_NO_OTHERS = _others(_NOTHING)
 
 
-def acts_once(state: State, inputs: Inputs) -> bool:
-    """Return whether inputs that have acted in this step change nothing but the motion in the steps that follow.
+def only_sticks(inputs: Inputs) -> bool:
+    """Return whether inputs contain nothing but the sticks of the arm."""
+    return bool(_others(inputs) == _NO_OTHERS)
 
-    They are then the same for the panel as inputs that leave all switches alone. False if anything is in progress that
-    the panel watches in each step, or if this step has written a line into the log.
-    """
+
+def is_idle(state: State) -> bool:
+    """Return whether nothing is in progress that Python has to do in each step, and nothing was logged in this one."""
     panel, inhibit = state.panel, state.worksite.contacts.inhibit
-    if (
+    return not (
         state.events
         or state.plant.bodies is not None
         or state.by_script
@@ -31,8 +37,16 @@ def acts_once(state: State, inputs: Inputs) -> bool:
         or panel.position_hold
         or inhibit.arm
         or inhibit.finger
+        or state.worksite.orbiter_rejected
         or MODES[panel.mode].kind not in ("manual", "single")
-        or inputs.mode not in (None, panel.mode)
-    ):
+    )
+
+
+def acts_once(state: State, inputs: Inputs) -> bool:
+    """Return whether inputs that have acted in this step change nothing but the motion in the steps that follow.
+
+    They are then the same for the panel as inputs that leave all switches alone.
+    """
+    if not is_idle(state) or inputs.mode not in (None, state.panel.mode):
         return False
     return replace(inputs, **_AT_REST) == _NOTHING

@@ -37,6 +37,12 @@ def operate(flight: Flight, state: State, log: Log, inputs: Inputs) -> None:
         _stop(panel, log)
     if inputs.proceed:
         _proceed(sequences, state, log)
+    order(flight, state, log, inputs)
+
+
+def order(flight: Flight, state: State, log: Log, inputs: Inputs) -> None:
+    """Write the sticks that act into `state.command`."""
+    panel = state.panel
     sticks = effective_sticks(panel, log, inputs)
     state.row.order(panel.flown, sticks, panel.joint, inputs.drive)
     if MODES[panel.mode].kind == "master" and any(sticks):

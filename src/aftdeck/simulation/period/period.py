@@ -33,7 +33,7 @@ from aftdeck.simulation.row.scalars import (
 )
 from aftdeck.worksite.watch.found import CLEARANCE
 
-STEERED, DRIVEN, SEEN, JUDGED, ATTACHED, COUNTED, OBSERVED = range(7)
+STEERED, DRIVEN, SEEN, JUDGED, ATTACHED, COUNTED, OBSERVED, UNCHANGED = range(8)
 """How far a control period has come: see `advance`. `STEERED`: Python code has steered, on a plant with masses."""
 FARTHEST = 1e300
 """Minimum clearance if no pair counts [m]."""
@@ -74,18 +74,19 @@ def advance(
         How far the last step has come. `DRIVEN`: something may touch a floating payload; all else has moved. `SEEN`:
         contacts are counted, but a pair of the task is in contact. `JUDGED`: something may be captured, fixed or
         released. `ATTACHED`: the step is complete, except for what `observes` asks for. `COUNTED`: the telescope has
-        moved the arm, which has to be observed. `OBSERVED`: the step is complete.
+        moved the arm, which has to be observed. `OBSERVED`: the step is complete. `UNCHANGED`: it has also changed
+        nothing that the log or the panel shows.
     """
     flat = lent(fixed_numbers, fixed_indices, fixed_marks, numbers, indices, marks)
     rules, resting, links, sticks = lend(rules), lend(resting), lend(links), lend(sticks)
-    v, found, reached = motion_of(flat).scalars, watch_of(flat).found, OBSERVED
+    v, found, reached = motion_of(flat).scalars, watch_of(flat).found, UNCHANGED
     telescope, task, made = v[TELESCOPE], v[TASK], 0
-    while made < most and reached == OBSERVED:
+    while made < most and reached == UNCHANGED:
         v[TELESCOPE] = telescope
         reached = complete(flat, rules, resting, links, sticks, observes)
         made += 1
-        if reached == OBSERVED and shows(v, found, task):
-            break
+        if reached == OBSERVED and not shows(v, found, task):
+            reached = UNCHANGED
     v[MADE] = made
     return reached
 

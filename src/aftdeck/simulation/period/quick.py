@@ -50,7 +50,9 @@ _HALTS: tuple[Halt, ...] = ("", "seat", "switch", "contact")
 """What blocked the commanded motion, by the number in `HALT`."""
 
 
-def quick_step(flight: Flight, state: State, inputs: Inputs, *, observes: bool, most: int = 1) -> int:
+def quick_step(
+    flight: Flight, state: State, inputs: Inputs, *, observes: bool, most: int = 1, goes_on: bool = False
+) -> int:
     """Make control steps of the kinematic plant after the operator's commands, as far as compiled code can.
 
     Args:
@@ -59,11 +61,15 @@ def quick_step(flight: Flight, state: State, inputs: Inputs, *, observes: bool, 
         inputs: the operator's inputs.
         observes: as for `advance`.
         most: greatest number of steps; `state.tick` is that of the first, and is then that of the last.
+        goes_on: whether the row already has the single values, as in `operator.held.goes_on`.
 
     Returns:
         How far the last step has come, as `period.period.advance` returns it.
     """
-    give(flight, state, inputs)
+    if goes_on:
+        state.row.scalars[TELESCOPE] = inputs.telescope
+    else:
+        give(flight, state, inputs)
     reached = advance(
         *flight.packed,
         *state.row.packed,

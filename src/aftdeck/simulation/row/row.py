@@ -43,6 +43,7 @@ class Row:
         snare: the part that is `Snare.packed`.
         limits: the parts that `now.Limits` describes.
         limited: whether `limits` may have zones, singularities or advice.
+        goes_on: whether the row has what the state has, so that a step with other sticks needs nothing else.
         packed: the three flat arrays.
     """
 
@@ -63,7 +64,8 @@ class Row:
         self.snare = self._parts["snare"]
         self.limits = Limits(*(self._parts[name] for name in Limits._fields))
         self.limits.advice[:] = -1
-        self.floats, self.limited, self.values = False, False, self.scalars.tolist()
+        self.floats = self.limited = self.goes_on = False
+        self.values = self.scalars.tolist()
         self._given, self._ordered = self.scalars.data.cast("B"), self._parts["command"].data.cast("B")
         self.packed = self.numbers, self.indices, self.marks
 
@@ -89,6 +91,7 @@ class Row:
                 part[...] = getattr(owner, name)
                 setattr(owner, name, part)
         worksite.watch.pack()
+        self.goes_on = False
 
 
 def row_of(state: State) -> Row:
