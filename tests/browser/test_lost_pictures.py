@@ -36,7 +36,7 @@ PICTURES = "[...document.querySelectorAll('.picture')].filter((each) => each.che
 OLD = f"{PICTURES}.every((each) => each.classList.contains('is-stale') && !/live|recorded/.test(each.innerText))"
 FRESH = f"{PICTURES}.every((each) => !each.classList.contains('is-stale') && /live|recorded/.test(each.innerText))"
 SMALL = (640, 480)
-"""Window in which a busy machine, too, draws a full picture in less than the 2 s after which the page gives it up [px]."""
+"""Window [px] in which a busy machine, too, needs less than 2 s for a full picture; the page gives up a slower one."""
 PREPARES = "/Preparing the full picture/.test(document.querySelector('.monitors').innerText)"
 CURE = f"{PICTURES}.every((each) => /reload the page/.test(each.innerText))"
 

@@ -131,6 +131,8 @@ class Inputs(msgspec.Struct, frozen=True):
 
 STICKS = {"translation": 3, "rotation": 3, "orbiter": 3, "drive": 1, "telescope": 1}
 """Number of axes of each stick, by field name."""
+OTHERS = tuple(name for name in Inputs.__struct_fields__ if name not in STICKS)
+"""Names of all fields but the sticks."""
 LONGEST_NAME = 64
 """Greatest length of the name of a mode [characters]."""
 

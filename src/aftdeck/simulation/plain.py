@@ -10,7 +10,8 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Mapping
 from functools import lru_cache
-from typing import Any, cast, get_args, get_type_hints
+from operator import attrgetter, is_
+from typing import Any, TypeGuard, cast, get_args, get_type_hints
 
 import msgspec
 
@@ -22,7 +23,7 @@ from aftdeck.scenario.disturbance import MOST_DISTURBANCES, Disturbance
 from aftdeck.scenario.in_flight import MOST_CHANGES
 from aftdeck.scenario.target import Target
 from aftdeck.simulation.camera_drives import CameraDrive
-from aftdeck.simulation.inputs import EXPECTED, STICKS, Inputs
+from aftdeck.simulation.inputs import EXPECTED, OTHERS, STICKS, Inputs
 from aftdeck.tuples import MOST_JOINTS, Rows, Vec3
 from aftdeck.units import short
 
@@ -30,6 +31,8 @@ GREATEST_SEED = 2**53
 """Greatest seed: JSON and JavaScript represent no greater integer exactly."""
 _FLOAT = {float}
 _AXES = 3
+_switches = attrgetter(*(name for name in OTHERS if name != "changes"))
+_NO_SWITCHES = _switches(Inputs())
 
 
 def plain_inputs(inputs: object) -> Inputs:
@@ -49,6 +52,24 @@ def plain_inputs(inputs: object) -> Inputs:
         name: _converted(inputs, name, "", EXPECTED[name], convert) for name, convert in _CONVERT.items()
     }
     return Inputs(**values)
+
+
+def only_moves(inputs: object) -> TypeGuard[Inputs]:
+    """Return whether inputs have plain values, and move sticks within their travel and nothing else.
+
+    Such inputs need no other check. This test is quick, and its result is True in most steps.
+    """
+    if type(inputs) is not Inputs or not all(map(is_, _switches(inputs), _NO_SWITCHES)):
+        return False
+    if type(inputs.changes) is not dict or inputs.changes:
+        return False
+    translation, rotation, orbiter = inputs.translation, inputs.rotation, inputs.orbiter
+    if not (type(translation) is type(rotation) is type(orbiter) is tuple):
+        return False
+    deflections = (*translation, *rotation, *orbiter, inputs.drive, inputs.telescope)
+    return len(translation) == len(rotation) == len(orbiter) == _AXES and all(
+        [type(x) is float and -1.0 <= x <= 1.0 and (x != 0.0 or math.copysign(1.0, x) > 0.0) for x in deflections]
+    )
 
 
 def plain_target(target: object) -> Target:

@@ -25,7 +25,7 @@ from aftdeck.simulation.observe.look import frame_of
 from aftdeck.simulation.observe.look_ahead import Ahead, Axis, look_ahead
 from aftdeck.simulation.observe.look_work import all_near
 from aftdeck.simulation.payloads.disturbances import check_disturbances
-from aftdeck.simulation.plain import plain_inputs, whole
+from aftdeck.simulation.plain import only_moves, plain_inputs, whole
 from aftdeck.simulation.series.series import Series
 from aftdeck.simulation.step import step
 from aftdeck.simulation.summary import Summary, Tally
@@ -184,6 +184,8 @@ class Simulation:
         Raises:
             InputError: as for `advance`.
         """
+        if only_moves(inputs):
+            return inputs
         plain = plain_inputs(inputs)
         plain.check(self._state.arm)
         if plain.camera is not None:

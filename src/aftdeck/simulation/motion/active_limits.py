@@ -11,7 +11,7 @@ from aftdeck.simulation.frame import AT_HARD, Limit, LimitKind
 from aftdeck.simulation.log import joint_label
 from aftdeck.simulation.motion.standstill import joint_lock_reason, latched_payload_reason
 from aftdeck.simulation.state import State
-from aftdeck.steering.layout import BEFORE, CAUSE, DT, LIMITING_JOINT, MOST_UP, POR_CAUSE, RATES
+from aftdeck.steering.layout import RATES
 from aftdeck.steering.limiters import BY_ACCELERATION, CAUSES
 
 _TEXTS: dict[str, tuple[LimitKind, str]] = {
@@ -21,14 +21,13 @@ _TEXTS: dict[str, tuple[LimitKind, str]] = {
     "joint acceleration": ("joint acceleration", "at its greatest acceleration"),
 }
 """Kind of limit, and the text that follows the joint's name, for each joint limit of `limiters.CAUSES`."""
-ROUNDING = 1e-9
-"""Share of a joint acceleration limit by which rounding may exceed the limit [1]."""
 
 
-def active_limits(flight: Flight, state: State) -> tuple[Limit, ...]:
+def active_limits(flight: Flight, state: State, acted: tuple[int, int, int, int]) -> tuple[Limit, ...]:
     """Return the limits that acted in the last step, and every joint acceleration that exceeded its limit.
 
-    If a berth, a contact or a switch stopped the arm, the result contains only this limit.
+    If a berth, a contact or a switch stopped the arm, the result contains only this limit. `acted`:
+    `frame_numbers.Acted`.
     """
     if state.worksite.halt == "seat":
         return (Limit("seat", -1, latched_payload_reason(flight.site, state.worksite)),)
@@ -36,12 +35,11 @@ def active_limits(flight: Flight, state: State) -> tuple[Limit, ...]:
         return (Limit("contact", -1, "contact: only motion that relieves it is flown"),)
     if why := joint_lock_reason(state.panel):
         return (Limit("switch", -1, why),) if state.worksite.halt == "switch" else ()
-    report = state.report
-    cause, por_cause = int(report[CAUSE]), int(report[POR_CAUSE])
-    stopped, beyond = AT_HARD in state.panel.zones, _beyond_acceleration(state)
-    if cause == 0 and por_cause == 0 and not stopped and not beyond:
+    cause, por_cause, culprit, bits = acted
+    stopped = AT_HARD in state.panel.zones
+    if cause == 0 and por_cause == 0 and not stopped and not bits:
         return ()
-    culprit = int(report[LIMITING_JOINT])
+    beyond = [joint for joint in range(len(state.plant.angles)) if bits >> joint & 1]
     found = [] if cause == BY_ACCELERATION and culprit in beyond else _of_joints(flight, cause, culprit)
     for joint in beyond:
         name = joint_label(flight.scenario.arm.joints[joint])
@@ -56,18 +54,6 @@ def active_limits(flight: Flight, state: State) -> tuple[Limit, ...]:
         what = {1: "speed", 4: "turning", 5: "speed and turning"}[por_cause & (1 | 4)]
         found.append(Limit("POR acceleration", -1, f"POR {what} still building up or falling"))
     return tuple(found)
-
-
-def _beyond_acceleration(state: State) -> list[int]:
-    """Return the joints whose commanded rates changed by more than their acceleration limits, whatever the cause.
-
-    In the modes that have these limits, a stop, a singularity, a rate limit or a line may require more. The joints of
-    the other modes may stop at once.
-    """
-    steering, report, rules, joints = state.steering, state.report, state.rules, len(state.plant.angles)
-    now, before = steering[RATES : RATES + joints].tolist(), report[BEFORE : BEFORE + joints].tolist()
-    most, period = rules[MOST_UP : MOST_UP + joints].tolist(), float(rules[DT]) * (1.0 + ROUNDING)
-    return [joint for joint in range(joints) if abs(now[joint] - before[joint]) > most[joint] * period]
 
 
 def _held_by_stops(

@@ -12,9 +12,16 @@ from aftdeck.bodies.pose import rows, vec3
 from aftdeck.kinematics.observe import CARRIED, observe_link, observe_payload
 from aftdeck.law import law
 from aftdeck.steering.layout import (
+    BEFORE,
+    CAUSE,
     DEMAND,
     DRIVE,
+    DT,
+    LIMITING_JOINT,
+    MOST_UP,
     MOTION_ACTIVE,
+    POR_CAUSE,
+    RATES,
     RATIO,
     REMAINING,
     SPEED,
@@ -25,12 +32,17 @@ from aftdeck.steering.layout import (
 )
 from aftdeck.tuples import Rows, Six, Vec3
 
+ROUNDING = 1e-9
+"""Share of a joint acceleration limit by which rounding may exceed the limit [1]."""
+
 Observed = tuple[Vec3, Rows, Six, Rows]
 """Position, rotation (rows) and twist of the tip; LNKAGE's T_B5."""
 Steered = tuple[Six, Six, tuple[float, float], Vec3, Vec3]
 """Commanded twist, demanded twist, limits of the point of resolution, THC deflection, RHC deflection."""
 Scalars = tuple[float, float, float, float, float]
 """DRIVE, RATIO, remaining time, remaining time of the rotation, and `MOTION_ACTIVE` (1 during an automatic motion)."""
+Acted = tuple[int, int, int, int]
+"""Limits that acted: `CAUSE`, `POR_CAUSE`, `LIMITING_JOINT`, and a bit for each joint that `beyond` returns."""
 Moving = tuple[Vec3, Rows, Vec3]
 """Position, rotation (rows) and velocity of a body."""
 
@@ -57,6 +69,20 @@ def wrist_pitch(arm: Array, angles: Array, mount: Array) -> Rows:
 
 
 @law
+def beyond(joints: int, rules: Array, steering: Array, report: Array) -> int:
+    """Return a bit for each joint whose commanded rate changed by more than its acceleration limit, whatever the cause.
+
+    In the modes that have these limits, a stop, a singularity, a rate limit or a line may require more. The joints of
+    the other modes may stop at once. `frame_numbers` describes the arguments.
+    """
+    found, period = 0, rules[DT] * (1.0 + ROUNDING)
+    for joint in range(joints):
+        if abs(steering[RATES + joint] - report[BEFORE + joint]) > rules[MOST_UP + joint] * period:
+            found |= 1 << joint
+    return found
+
+
+@law
 def frame_numbers(
     arm: Array,
     mount: Array,
@@ -66,7 +92,7 @@ def frame_numbers(
     command: Array,
     steering: Array,
     report: Array,
-) -> tuple[Observed, Steered, Scalars]:
+) -> tuple[Observed, Steered, Scalars, Acted]:
     """Return the numbers of a frame, but for those whose number depends on the arm: of joints and singularities.
 
     Args:
@@ -89,6 +115,12 @@ def frame_numbers(
             vec3(command, STICKS),
         ),
         (command[DRIVE], report[RATIO], report[REMAINING], report[TURN_REMAINING], command[MOTION_ACTIVE]),
+        (
+            int(report[CAUSE]),
+            int(report[POR_CAUSE]),
+            int(report[LIMITING_JOINT]),
+            beyond(len(angles), rules, steering, report),
+        ),
     )
 
 

@@ -23,7 +23,7 @@ def frame_of(flight: Flight, state: State, seal: bytes) -> Frame:
     """Return the frame of the last step, with its log lines and the state's digest; leave the state unchanged."""
     scenario, panel, plant = flight.scenario, state.panel, state.plant
     model, rules = scenario.arm.model, state.rules
-    observed, steered, scalars = frame_numbers(
+    observed, steered, scalars, acted = frame_numbers(
         model.links,
         model.mount.rotation,
         plant.angles,
@@ -87,7 +87,7 @@ def frame_of(flight: Flight, state: State, seal: bytes) -> Frame:
         twist_demanded,
         por_limits,
         ratio,
-        active_limits(flight, state),
+        active_limits(flight, state, acted),
         singularity,
         panel.singular,
         state.ways_out,

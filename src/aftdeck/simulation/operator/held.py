@@ -6,7 +6,7 @@ from operator import attrgetter
 
 from msgspec.structs import replace
 
-from aftdeck.simulation.inputs import STICKS, Inputs
+from aftdeck.simulation.inputs import OTHERS, STICKS, Inputs
 from aftdeck.simulation.state import State
 from aftdeck.steering.mode import MODES
 
@@ -14,7 +14,7 @@ _NOTHING = Inputs()
 _ONCE = ("mode", "joint", "rate", "payload_axes", "stop", "effector", "effector_mode", "rigid", "latch")
 """Switches whose positions act in the first step, and in later steps at most on what ends a compiled call."""
 _AT_REST = {name: getattr(_NOTHING, name) for name in (*STICKS, *_ONCE)}
-_others = attrgetter(*(set(Inputs.__struct_fields__) - set(STICKS)), "orbiter")
+_others = attrgetter(*OTHERS, "orbiter")
 """Function that returns all inputs except the arm's sticks."""
 _NO_OTHERS = _others(_NOTHING)
 
