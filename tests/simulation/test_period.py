@@ -3,13 +3,16 @@
 from __future__ import annotations
 
 from collections import Counter
+from pathlib import Path
 
 import numpy as np
 import pytest
+from msgspec.structs import replace
 
+from aftdeck.files import Where
 from aftdeck.plant.state import FOLLOWING
 from aftdeck.scenario.load import built_in, load_scenario
-from aftdeck.simulation import fly
+from aftdeck.simulation import fly, step
 from aftdeck.simulation.command_check import rehearsal
 from aftdeck.simulation.constants.flight import Flight
 from aftdeck.simulation.inputs import Inputs
@@ -26,6 +29,14 @@ from tests.simulation.flights import random_inputs
 
 STEPS = 700
 """Number of steps of each run."""
+HANDS = Inputs(translation=(0.1, -0.2, 0.3))
+"""Sticks with which a test interrupts a script."""
+SWITCHES: tuple[dict[str, bool], ...] = tuple(
+    {name: on} for name in ("brakes", "safing", "position_hold", "rate_hold") for on in (True, False)
+)
+"""Switches that a test turns besides those of `random_inputs`."""
+RESTORES = 0.02
+"""Share of the steps before which a state is saved and restored."""
 LEAVES_SWITCHES = 0.9
 """Share of the steps in which only sticks move, where a test chooses them."""
 
@@ -97,10 +108,13 @@ def test_steps_with_sticks_alone_are_as_steps_that_do_everything(name: str, seed
     quick, whole = Simulation(name), Simulation(name)
     alone, went_on, turn = random_inputs(random, STEPS), 0, Inputs()
     for switched in alone:
+        turn = switched
         if random.random() < LEAVES_SWITCHES:
-            turn = Inputs(translation=switched.translation, rotation=switched.rotation, drive=switched.drive)
-        else:
-            turn = switched
+            turn = Inputs(switched.translation, switched.rotation, switched.drive, telescope=switched.telescope)
+        elif random.random() < LEAVES_SWITCHES:
+            turn = replace(turn, **SWITCHES[random.integers(len(SWITCHES))])
+        if random.random() < RESTORES:
+            quick.restore(quick.save())
         quick.advance(turn)
         whole._state.row.goes_on = False
         whole.advance(turn)
@@ -108,6 +122,34 @@ def test_steps_with_sticks_alone_are_as_steps_that_do_everything(name: str, seed
         assert quick.seal() == whole.seal() and quick.look() == whole.look()
     begins = quick.scenario
     assert went_on > 0 or begins.plant != "kinematic" or MODES[begins.mode].kind == "automatic"
+
+
+def test_after_an_interrupted_step_the_next_one_does_everything(monkeypatch: pytest.MonkeyPatch) -> None:
+    def interrupted(*_: object) -> None:
+        raise KeyboardInterrupt
+
+    sim = Simulation("first-flight")
+    for _ in range(30):
+        sim.advance(HANDS)
+    with monkeypatch.context() as patch, pytest.raises(KeyboardInterrupt):
+        patch.setattr(step, "check", interrupted)
+        sim.advance(Inputs(brakes=True))
+    for _ in range(5):
+        sim.advance(HANDS)
+    assert sim.look().brakes and not any(sim.look().rates)
+
+
+@pytest.mark.parametrize("name", built_in())
+def test_steps_of_a_script_are_as_steps_that_do_everything(name: str) -> None:
+    delay: dict[Where, object] = {("command_delay",): "0.2 s"}
+    for changes in ({}, delay):
+        quick, whole = (Simulation(load_scenario(name, changes)) for _ in range(2))
+        for k in range(STEPS):
+            inputs = HANDS if k % 200 > 150 or not quick.scenario.phases else None
+            quick.advance(inputs)
+            whole._state.row.goes_on = False
+            whole.advance(inputs)
+            assert quick.seal() == whole.seal() and quick.look() == whole.look()
 
 
 @pytest.mark.parametrize("name", built_in())
@@ -121,3 +163,18 @@ def test_held_inputs_are_as_many_steps(name: str, seed: int) -> None:
             one.advance(inputs)
         many.hold(inputs, steps)
         assert one.seal() == many.seal() and one.look() == many.look()
+
+
+@pytest.mark.parametrize("before", [0, 20, 22, 24, 25, 26])
+def test_held_inputs_are_as_many_steps_when_the_scenario_changes_something(before: int, tmp_path: Path) -> None:
+    file, text = tmp_path / "changes.toml", load_scenario("concept-1972-script").text
+    event = '\n[[event]]\nat = "0.5 s"\nset = { limits.por.translation = "0.25 m/s" }\n'
+    file.write_text(text + event, encoding="utf-8")
+    one, many = (Simulation(file) for _ in range(2))
+    for sim in (one, many):
+        for _ in range(before):
+            sim.advance(HANDS)
+    for _ in range(5):
+        one.advance(HANDS)
+    many.hold(HANDS, 5)
+    assert one.seal() == many.seal() and one.look() == many.look()

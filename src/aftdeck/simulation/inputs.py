@@ -131,8 +131,10 @@ class Inputs(msgspec.Struct, frozen=True):
 
 STICKS = {"translation": 3, "rotation": 3, "orbiter": 3, "drive": 1, "telescope": 1}
 """Number of axes of each stick, by field name."""
-OTHERS = tuple(name for name in Inputs.__struct_fields__ if name not in STICKS)
-"""Names of all fields but the sticks."""
+others = attrgetter(*(name for name in Inputs.__struct_fields__ if name not in (*STICKS, "changes")))
+"""Function that returns the values of an `Inputs` besides sticks and changes."""
+NO_OTHERS = others(Inputs())
+"""These values if the inputs only move sticks."""
 LONGEST_NAME = 64
 """Greatest length of the name of a mode [characters]."""
 

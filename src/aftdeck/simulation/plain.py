@@ -10,7 +10,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Mapping
 from functools import lru_cache
-from operator import attrgetter, is_
+from operator import is_
 from typing import Any, TypeGuard, cast, get_args, get_type_hints
 
 import msgspec
@@ -23,7 +23,7 @@ from aftdeck.scenario.disturbance import MOST_DISTURBANCES, Disturbance
 from aftdeck.scenario.in_flight import MOST_CHANGES
 from aftdeck.scenario.target import Target
 from aftdeck.simulation.camera_drives import CameraDrive
-from aftdeck.simulation.inputs import EXPECTED, OTHERS, STICKS, Inputs
+from aftdeck.simulation.inputs import EXPECTED, NO_OTHERS, STICKS, Inputs, others
 from aftdeck.tuples import MOST_JOINTS, Rows, Vec3
 from aftdeck.units import short
 
@@ -31,8 +31,6 @@ GREATEST_SEED = 2**53
 """Greatest seed: JSON and JavaScript represent no greater integer exactly."""
 _FLOAT = {float}
 _AXES = 3
-_switches = attrgetter(*(name for name in OTHERS if name != "changes"))
-_NO_SWITCHES = _switches(Inputs())
 
 
 def plain_inputs(inputs: object) -> Inputs:
@@ -59,17 +57,12 @@ def only_moves(inputs: object) -> TypeGuard[Inputs]:
 
     Such inputs need no other check. This test is quick, and its result is True in most steps.
     """
-    if type(inputs) is not Inputs or not all(map(is_, _switches(inputs), _NO_SWITCHES)):
+    if type(inputs) is not Inputs or not all(map(is_, others(inputs), NO_OTHERS)):
         return False
     if type(inputs.changes) is not dict or inputs.changes:
         return False
-    translation, rotation, orbiter = inputs.translation, inputs.rotation, inputs.orbiter
-    if not (type(translation) is type(rotation) is type(orbiter) is tuple):
-        return False
-    deflections = (*translation, *rotation, *orbiter, inputs.drive, inputs.telescope)
-    return len(translation) == len(rotation) == len(orbiter) == _AXES and all(
-        [type(x) is float and -1.0 <= x <= 1.0 and (x != 0.0 or math.copysign(1.0, x) > 0.0) for x in deflections]
-    )
+    sticks = _plain_sticks(inputs)
+    return sticks is not None and all([-1.0 <= deflection <= 1.0 for deflection in sticks])
 
 
 def plain_target(target: object) -> Target:
@@ -104,12 +97,21 @@ def _all_plain(inputs: Inputs) -> bool:
     values = msgspec.structs.astuple(inputs)
     if not _plain_types(*map(type, values)) or inputs.disturbances or inputs.changes:
         return False
-    deflections = (*inputs.translation, *inputs.rotation, *inputs.orbiter, inputs.drive, inputs.telescope)
-    return (
-        len(inputs.translation) == len(inputs.rotation) == len(inputs.orbiter) == _AXES
-        and set(map(type, deflections)) == _FLOAT
-        and -1.0 not in [math.copysign(1.0, deflection) for deflection in deflections if not deflection]
+    return _plain_sticks(inputs) is not None
+
+
+def _plain_sticks(inputs: Inputs) -> tuple[float, ...] | None:
+    """Return the deflections of all sticks; None if one of them is not plain."""
+    translation, rotation, orbiter = inputs.translation, inputs.rotation, inputs.orbiter
+    if not (type(translation) is type(rotation) is type(orbiter) is tuple):
+        return None
+    sticks = (*translation, *rotation, *orbiter, inputs.drive, inputs.telescope)
+    plain = (
+        len(translation) == len(rotation) == len(orbiter) == _AXES
+        and set(map(type, sticks)) == _FLOAT
+        and -1.0 not in [math.copysign(1.0, deflection) for deflection in sticks if not deflection]
     )
+    return sticks if plain else None
 
 
 @lru_cache(maxsize=256)

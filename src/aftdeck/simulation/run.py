@@ -161,9 +161,10 @@ class Simulation:
         """
         last = self._state.tick + whole(steps, "steps")
         inputs = self.checked(inputs)
-        while self._state.tick < last:
-            planned = (at - 1 for at in self.scenario.changes_at if at > self._state.tick + 1)
-            self._advance(inputs, min([last, *planned]) - self._state.tick)
+        while (now := self._state.tick) < last:
+            # a step in which the scenario changes something is a call of its own
+            planned = (max(at - 1, now + 1) for at in self.scenario.changes_at if at > now)
+            self._advance(inputs, min([last, *planned]) - now)
 
     def _advance(self, inputs: Inputs | None, most: int) -> None:
         """Advance by one to `most` control periods, with inputs that are checked."""

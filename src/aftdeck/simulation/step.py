@@ -37,28 +37,31 @@ def step(flight: Flight, state: State, inputs: Inputs | None, most: int = 1) -> 
     state.events = []
     log = state.log(flight.scenario.control_period)
 
-    sticks_only = inputs is not None and only_sticks(inputs)
-    if goes_on := state.row.goes_on and inputs is not None and sticks_only:
-        order(flight, state, log, inputs)  # nothing but the sticks has moved since the last step
+    # inputs of the script, or of the operator after the command delay
+    source, state.by_script, state.phase = state.by_script, inputs is None or inputs.script, ""
+    if inputs is None or inputs.script:
+        inputs = play(flight, state)
+        state.phase = phase_name(flight.scenario.phases, state.script)
     else:
-        # inputs of the script, or of the operator after the command delay
-        state.by_script, state.phase = inputs is None or inputs.script, ""
-        if inputs is None or inputs.script:
-            inputs = play(flight, state)
-            state.phase = phase_name(flight.scenario.phases, state.script)
-        else:
-            hand_over(flight, state)
-            inputs = delayed(state, inputs)
+        hand_over(flight, state)
+        inputs = delayed(state, inputs)
+
+    # only the sticks are to be written if nothing else has moved since the last step
+    moved = only_sticks(inputs)
+    went_on, state.row.goes_on = state.row.goes_on, False  # also if an error ends this step
+    if goes_on := went_on and moved and state.by_script == source and not state.events:
+        order(flight, state, log, inputs)
+    else:
         if inputs.initialise is not None:
             initialise(flight, state, inputs.initialise)
         operate(flight, state, log, inputs)
 
         # continue CMD CK; after PROCEED, a GOOD verdict starts the motion
         check(flight, state, log)
-        if most > 1 and not acts_once(state, inputs):
-            most = 1
 
     # steering commands the joint rates; contacts and berths limit these rates; the plant and the worksite move
+    if most > 1 and not acts_once(state, inputs):
+        most = 1
     reached = go(flight, state, log, inputs, observes=True, most=most, goes_on=goes_on)
     log = state.log(flight.scenario.control_period)
     if inputs.camera is not None:
@@ -73,5 +76,5 @@ def step(flight: Flight, state: State, inputs: Inputs | None, most: int = 1) -> 
     log_arm_events(flight, state, log, complete=reached >= OBSERVED)
     if state.by_script:
         end_if_time_is_up(flight, state)
-    state.row.goes_on = sticks_only and reached == UNCHANGED and is_idle(state)
+    state.row.goes_on = moved and reached == UNCHANGED and is_idle(state)
     return inputs

@@ -18,6 +18,7 @@ from aftdeck.bodies.placed import (
     turned,
     twist_along,
 )
+from aftdeck.elementary import atan2
 from aftdeck.errors import AftdeckError
 from aftdeck.frames import quaternion_of_rows
 from aftdeck.scenario.model import Scenario
@@ -55,6 +56,7 @@ def warm_up(scenario: Scenario) -> None:
     step(flight, state, Inputs())
     frame_of(flight, state, digest(state))
     quaternion_of_rows(here.rotation)  # recordings contain quaternions
+    atan2(0.0, 1.0)  # cameras are aimed with it
     _guide(Placed(here.position, here.rotation))
     rate_ratio(state.rules, state.steering)
     for law in AUTOMATIC_LAWS:

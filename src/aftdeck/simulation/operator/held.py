@@ -2,26 +2,21 @@
 
 from __future__ import annotations
 
-from operator import attrgetter
-
 from msgspec.structs import replace
 
-from aftdeck.simulation.inputs import OTHERS, STICKS, Inputs
+from aftdeck.simulation.inputs import NO_OTHERS, STICKS, Inputs, others
 from aftdeck.simulation.state import State
 from aftdeck.steering.mode import MODES
 
 _NOTHING = Inputs()
 _ONCE = ("mode", "joint", "rate", "payload_axes", "stop", "effector", "effector_mode", "rigid", "latch")
-"""Switches whose positions act in the first step, and in later steps at most on what ends a compiled call."""
+"""Switches that act in the first step. In later steps they matter only where the compiled call ends anyway."""
 _AT_REST = {name: getattr(_NOTHING, name) for name in (*STICKS, *_ONCE)}
-_others = attrgetter(*OTHERS, "orbiter")
-"""Function that returns all inputs except the arm's sticks."""
-_NO_OTHERS = _others(_NOTHING)
 
 
 def only_sticks(inputs: Inputs) -> bool:
     """Return whether inputs contain nothing but the sticks of the arm."""
-    return bool(_others(inputs) == _NO_OTHERS)
+    return others(inputs) == NO_OTHERS and not inputs.changes and not any(inputs.orbiter)
 
 
 def is_idle(state: State) -> bool:
@@ -30,8 +25,6 @@ def is_idle(state: State) -> bool:
     return not (
         state.events
         or state.plant.bodies is not None
-        or state.by_script
-        or state.delayed_inputs
         or state.checking is not None
         or panel.proceeding
         or panel.position_hold
@@ -47,6 +40,6 @@ def acts_once(state: State, inputs: Inputs) -> bool:
 
     They are then the same for the panel as inputs that leave all switches alone.
     """
-    if not is_idle(state) or inputs.mode not in (None, state.panel.mode):
+    if not is_idle(state) or state.by_script or state.delayed_inputs or inputs.mode not in (None, state.panel.mode):
         return False
     return replace(inputs, **_AT_REST) == _NOTHING

@@ -61,7 +61,7 @@ def quick_step(
         inputs: the operator's inputs.
         observes: as for `advance`.
         most: greatest number of steps; `state.tick` is that of the first, and is then that of the last.
-        goes_on: whether the row already has the single values, as in `operator.held.goes_on`.
+        goes_on: whether the row already has the single values, as `Row.goes_on` states.
 
     Returns:
         How far the last step has come, as `period.period.advance` returns it.
