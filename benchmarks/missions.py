@@ -65,5 +65,6 @@ def _peers(argument: str, size: Size) -> list[Figure]:
         done = subprocess.run(command, capture_output=True, timeout=LONGEST_S, check=True)
     except (subprocess.SubprocessError, OSError) as error:
         return [absent(name, "us", f"{package}: {type(error).__name__}")]
-    peers = msgspec.json.decode(done.stdout, type=list[Peer])
+    *_, last = done.stdout.splitlines()  # the libraries print lines before it
+    peers = msgspec.json.decode(last, type=list[Peer])
     return [Figure(peer.name, 1e6 * peer.seconds, "us", None, peer.note) for peer in peers]
