@@ -10,6 +10,7 @@ import json
 import os
 import sys
 import time
+from importlib import import_module
 from typing import Any, NamedTuple
 
 BATCH = 256
@@ -61,9 +62,8 @@ def of_gymnasium(steps: int, rounds: int) -> list[Peer]:
 def of_brax(steps: int, rounds: int) -> list[Peer]:
     """Time the pusher of Brax: a batch, on all cores."""
     os.environ["JAX_PLATFORMS"] = "cpu"
-    import jax  # noqa: PLC0415
-    from brax import envs  # noqa: PLC0415
-
+    jax: Any = import_module("jax")
+    envs: Any = import_module("brax.envs")
     env = envs.training.wrap(envs.get_environment("pusher", backend="generalized"), episode_length=100)
     state = jax.jit(env.reset)(jax.random.split(jax.random.PRNGKey(0), BATCH))
     step, actions = jax.jit(env.step), jax.random.uniform(jax.random.PRNGKey(1), (16, BATCH, env.action_size)) * 2 - 1

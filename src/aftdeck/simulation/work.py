@@ -24,7 +24,7 @@ from aftdeck.simulation.payloads.relations import permitted
 from aftdeck.simulation.payloads.sliding import sliding_payload
 from aftdeck.simulation.payloads.surroundings import follow_bodies
 from aftdeck.simulation.payloads.task_phases import change_task, task_of
-from aftdeck.simulation.period.contact import seen
+from aftdeck.simulation.period.contact import contacts
 from aftdeck.simulation.period.period import JUDGED, SEEN
 from aftdeck.simulation.period.quick import inhibit_of, move_prong
 from aftdeck.simulation.row.scalars import (
@@ -108,7 +108,7 @@ def _update_contacts(flight: Flight, state: State) -> None:
     """Update the poses of all frames, the clearances, the contacts, and the inhibits that the contacts cause."""
     worksite, plant, scalars = state.worksite, state.plant, state.row.scalars
     scalars[STAND], scalars[PRONG_AT] = plant.stand.position, worksite.prong.position
-    seen(state.row.flat(flight.packed), plant.frames)
+    contacts(*flight.packed, *state.row.packed, plant.frames)
     values = state.row.values = scalars.tolist()
     worksite.nearest, worksite.watch.least = int(values[NEAREST]), values[LEAST]
     touching, changed = values[TOUCHING] != 0.0, values[CHANGED] != 0.0

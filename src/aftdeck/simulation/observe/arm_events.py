@@ -8,7 +8,7 @@ from aftdeck.simulation.frame import AT_HARD, FREE, PAST_REACH, PAST_SOFT, Level
 from aftdeck.simulation.log import Log, joint_label
 from aftdeck.simulation.motion.ways_out import ways_out
 from aftdeck.simulation.parts.worksite_state import WorksiteState
-from aftdeck.simulation.period.observe import observed
+from aftdeck.simulation.period.observe import observe_arm
 from aftdeck.simulation.period.quick import give_limits
 from aftdeck.simulation.row.scalars import ARM, BY_JOINT, FLOWN, LIMITS, STAND_VELOCITY
 from aftdeck.simulation.state import Panel, State
@@ -59,7 +59,7 @@ def _observe(flight: Flight, state: State) -> None:
     scalars[STAND_VELOCITY], scalars[ARM] = state.plant.stand.velocity, state.worksite.contacts.inhibit.arm
     scalars[FLOWN], scalars[BY_JOINT] = panel.stick_law, MODES[panel.mode].by_joint
     give_limits(flight, state)
-    observed(row.flat(flight.packed), state.arm.model.links, state.stick_rules)
+    observe_arm(*flight.packed, *row.packed, state.arm.model.links, state.stick_rules)
     row.values = scalars.tolist()
 
 

@@ -4,10 +4,11 @@ from __future__ import annotations
 
 import numpy as np
 
-from aftdeck.arrays import Array
+from aftdeck.arrays import Array, Indices, Mask
 from aftdeck.bodies.pair import CONTACT, PAIR
 from aftdeck.law import large_law, law
-from aftdeck.simulation.row.now import Flat, monitor_of, motion_of, watch_of
+from aftdeck.lent import lend
+from aftdeck.simulation.row.now import Flat, lent, monitor_of, motion_of, watch_of
 from aftdeck.simulation.row.scalars import (
     ARM,
     CHANGED,
@@ -37,6 +38,23 @@ from aftdeck.worksite.watch.places import place_everything
 
 LOOSE = 0.25
 """Bound of a clearance below which the clearance is measured again [m] (assumed)."""
+
+
+@law
+def contacts(
+    fixed_numbers: Array,
+    fixed_indices: Indices,
+    fixed_marks: Mask,
+    numbers: Array,
+    indices: Indices,
+    marks: Mask,
+    true: Array,
+) -> None:
+    """Place all frames and count the contacts after Python code has moved the bodies, as `seen` does.
+
+    The first six arguments are those of `lent`.
+    """
+    seen(lent(fixed_numbers, fixed_indices, fixed_marks, numbers, indices, marks), lend(true))
 
 
 @law

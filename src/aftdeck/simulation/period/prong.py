@@ -4,13 +4,14 @@ from __future__ import annotations
 
 import numpy as np
 
-from aftdeck.arrays import Array
+from aftdeck.arrays import Array, Indices, Mask
 from aftdeck.bodies.pose import POSE
 from aftdeck.law import large_law, law
+from aftdeck.lent import lend
 from aftdeck.simulation.period.actuator import after
 from aftdeck.simulation.period.contact import place
 from aftdeck.simulation.period.predict import looked_at
-from aftdeck.simulation.row.now import Flat, motion_of, watch_of
+from aftdeck.simulation.row.now import Flat, lent, motion_of, watch_of
 from aftdeck.simulation.row.scalars import (
     CLOSES,
     HELD,
@@ -27,6 +28,23 @@ from aftdeck.simulation.row.world import pairs_of, world_of
 from aftdeck.worksite.capture.acquisition import MEASURED, PRONG, acquire
 from aftdeck.worksite.watch.contact_motion import relief
 from aftdeck.worksite.watch.contact_trial import predict_contacts
+
+
+@law
+def close_or_open(
+    fixed_numbers: Array,
+    fixed_indices: Indices,
+    fixed_marks: Mask,
+    numbers: Array,
+    indices: Indices,
+    marks: Mask,
+    true: Array,
+) -> None:
+    """Move the prong after Python code has moved the bodies, as `prong_moved` does.
+
+    The first six arguments are those of `lent`.
+    """
+    prong_moved(lent(fixed_numbers, fixed_indices, fixed_marks, numbers, indices, marks), lend(true))
 
 
 @large_law

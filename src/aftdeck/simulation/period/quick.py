@@ -7,9 +7,9 @@ from typing import TYPE_CHECKING
 from aftdeck.simulation.parts.worksite_state import DRIVES, Halt
 from aftdeck.simulation.payloads.jets import translation_rejection
 from aftdeck.simulation.payloads.sliding import sliding_payload
-from aftdeck.simulation.period.limit import limited
+from aftdeck.simulation.period.limit import limit
 from aftdeck.simulation.period.period import COUNTED, OBSERVED, SEEN, advance
-from aftdeck.simulation.period.prong import prong_moved
+from aftdeck.simulation.period.prong import close_or_open
 from aftdeck.simulation.row.scalars import (
     ALIGNED,
     ARM,
@@ -89,7 +89,7 @@ def limit_motion(flight: Flight, state: State, inputs: Inputs) -> float:
     Return the allowed drive of the telescope, in [-1, 1]. On the kinematic plant, `quick_step` does this.
     """
     give(flight, state, inputs)
-    limited(state.row.flat(flight.packed), state.rules)
+    limit(*flight.packed, *state.row.packed, state.rules)
     values = state.row.values = state.row.scalars.tolist()
     state.worksite.halt = _HALTS[int(values[HALT])]
     return float(values[TELESCOPE])
@@ -99,7 +99,7 @@ def move_prong(flight: Flight, state: State) -> None:
     """Move the prong after the bodies of a plant with masses. On the kinematic plant, `quick_step` does this."""
     scalars, prong, plant = state.row.scalars, state.worksite.prong, state.plant
     scalars[STAND] = plant.stand.position
-    prong_moved(state.row.flat(flight.packed), plant.frames)
+    close_or_open(*flight.packed, *state.row.packed, plant.frames)
     prong.position, prong.velocity = scalars[[PRONG_AT, PRONG_VELOCITY]].tolist()
 
 

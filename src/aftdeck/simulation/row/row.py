@@ -70,7 +70,10 @@ class Row:
         self.packed = self.numbers, self.indices, self.marks
 
     def flat(self, packed: Packed) -> Flat:
-        """Return the constants of a run and this row, as the laws take them; hot loops pass the arrays one by one."""
+        """Return the constants of a run and this row, as the laws take them.
+
+        A call takes 2 us less with the six arrays one by one (`now.lent`).
+        """
         return Flat(*packed, *self.packed)
 
     def give(self, *values: float) -> None:
