@@ -60,7 +60,7 @@ NAMES = {
     "report": Benchmark(RECORDINGS, "benchmarks.report", "report"),
     "pictures": Benchmark(RECORDINGS, "benchmarks.pictures", "pictures"),
     "reach": Benchmark(STUDIES, "benchmarks.environments", "reach"),
-    "missions": Benchmark(STUDIES, "benchmarks.missions", "missions", by_default=False),
+    "missions": Benchmark(STUDIES, "benchmarks.missions", "missions", by_default=False, limit_s=1500.0),
     "studies": Benchmark(STUDIES, "benchmarks.studies", "studies"),
     "ray": Benchmark(STUDIES, "benchmarks.studies", "on_ray"),
     "plants": Benchmark(PHYSICS, "benchmarks.plants", "table", by_default=False, limit_s=DAY),

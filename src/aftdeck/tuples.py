@@ -16,6 +16,8 @@ Rows = tuple[Vec3, Vec3, Vec3]
 
 In files a rotation is a quaternion, w, x, y, z.
 """
+UNTURNED: Rows = ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0))
+"""Rows of the rotation by no angle."""
 
 
 def plain_vector(values: Iterable[float]) -> Vec3:

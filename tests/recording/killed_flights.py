@@ -44,6 +44,8 @@ class Check(NamedTuple):
     """Time on the machine's clock."""
     worked_s: float
     """Processor time that the recorder's thread has used so far."""
+    process_s: float
+    """Processor time that all threads of the process have used so far."""
 
 
 class Killed(msgspec.Struct):
@@ -55,6 +57,8 @@ class Killed(msgspec.Struct):
     checks: list[Check]
     killed_s: float
     """Time on the machine's clock at which the process was killed."""
+    process_s: float
+    """Processor time that it had used then."""
 
 
 class Index(listing.Index):
@@ -77,7 +81,7 @@ def fly(scenario: Scenario, path: Path, steps: int, checks: int, seed: int) -> N
     """
 
     def monotonic() -> float:
-        os.write(checks, struct.pack("dd", *Check(time.perf_counter(), time.thread_time())))
+        os.write(checks, struct.pack("ddd", *Check(time.perf_counter(), time.thread_time(), time.process_time())))
         return time.monotonic()
 
     clock = {name: getattr(time, name) for name in ("perf_counter", "time_ns", "sleep")}
@@ -121,17 +125,17 @@ class ForkedRun:
         """Wait for the next check of the queue by the recorder's thread."""
         now = time.perf_counter()
         while not self._read_checks or self._read_checks[-1].time_s < now:
-            self._read_checks.append(Check._make(struct.unpack("dd", self._read(self._checks, 16))))
+            self._read_checks.append(Check._make(struct.unpack("ddd", self._read(self._checks, 24))))
 
     def kill(self) -> Killed:
         """Kill the process, and return the data about its run."""
         os.kill(self._process, signal.SIGKILL)
-        os.waitpid(self._process, 0)
+        _, _, used = os.wait4(self._process, 0)
         killed_s = time.perf_counter()
         with os.fdopen(self._steps, "rb") as steps, os.fdopen(self._checks, "rb") as checks:
             self._handed_over += [t for (t,) in struct.iter_unpack("d", steps.read())]
-            self._read_checks += map(Check._make, struct.iter_unpack("dd", checks.read()))
-        return Killed(str(self.path), self._handed_over, self._read_checks, killed_s)
+            self._read_checks += map(Check._make, struct.iter_unpack("ddd", checks.read()))
+        return Killed(str(self.path), self._handed_over, self._read_checks, killed_s, used.ru_utime + used.ru_stime)
 
     def _read(self, pipe: int, count: int) -> bytes:
         data = os.read(pipe, count)

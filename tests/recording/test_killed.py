@@ -38,9 +38,10 @@ def delay(run_: Killed, since_s: float) -> float:
     """Return how long a busy machine or disk has delayed a recorder's thread since the time `since_s` [s].
 
     This is the sum of the pauses between the thread's checks of the queue, without the thread's work and sleep. The
-    last pause ends when the process is killed, and the work in it is not known: it counts as none.
+    last pause ends when the process is killed; all work of the process since the last check counts as the thread's.
     """
-    last = Check(run_.killed_s, run_.checks[-1].worked_s)
+    checked = run_.checks[-1]
+    last = Check(run_.killed_s, checked.worked_s + run_.process_s - checked.process_s, run_.process_s)
     pauses = [
         after.time_s - max(before.time_s, since_s) - (after.worked_s - before.worked_s) - POLL_S
         for before, after in itertools.pairwise([*run_.checks, last])

@@ -10,7 +10,6 @@ from numpy.typing import ArrayLike
 from aftdeck.arrays import Array
 from aftdeck.errors import InputError
 from aftdeck.jsc12628.quantities import (
-    UNTURNED,
     Units,
     array,
     limited_rules,
@@ -27,6 +26,7 @@ from aftdeck.steering.layout import DT as PERIOD
 from aftdeck.steering.layout import HELD, RATE, RATES, STATE
 from aftdeck.steering.modes import open_loop
 from aftdeck.steering.turn import from_hand, from_payload
+from aftdeck.tuples import UNTURNED
 
 _NONE = np.zeros(3)
 

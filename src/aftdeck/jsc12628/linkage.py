@@ -10,12 +10,13 @@ from numpy.typing import ArrayLike
 from aftdeck.arrays import Array
 from aftdeck.errors import InputError, LimitError, UnreachableError
 from aftdeck.frames import Pose
-from aftdeck.jsc12628.quantities import UNTURNED, Units, array, metres, published_links, rotation
+from aftdeck.jsc12628.quantities import Units, array, metres, published_links, rotation
 from aftdeck.kinematics import inverse, jacobian
 from aftdeck.kinematics.arm import Arm
 from aftdeck.kinematics.linkage import sines
 from aftdeck.kinematics.observe import observe_link
 from aftdeck.matrices import product
+from aftdeck.tuples import UNTURNED
 
 
 class Lnkage(NamedTuple):

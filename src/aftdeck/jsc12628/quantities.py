@@ -14,14 +14,12 @@ from aftdeck.kinematics.arm import Arm
 from aftdeck.kinematics.linkage import Tip
 from aftdeck.matrices import product, reflects
 from aftdeck.steering.layout import JOINTS, MOST_UP, RULES, SPEED, SPEED_UP, STRICT, TURN, TURN_UP
-from aftdeck.tuples import MOST_JOINTS
+from aftdeck.tuples import MOST_JOINTS, UNTURNED
 from aftdeck.units import FOOT
 
 Units = Literal["m", "ft"]
 """Unit of every length in a call: metres or feet."""
 
-UNTURNED = ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0))
-"""Identity rotation."""
 _METRES: dict[Units, float] = {"m": 1.0, "ft": FOOT}
 
 

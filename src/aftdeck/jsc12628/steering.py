@@ -14,7 +14,6 @@ from aftdeck.errors import InputError
 from aftdeck.frames import Pose, endori
 from aftdeck.jsc12628.linkage import rmangs
 from aftdeck.jsc12628.quantities import (
-    UNTURNED,
     Units,
     array,
     limited_rules,
@@ -61,6 +60,7 @@ from aftdeck.steering.layout import (
     TWIST,
 )
 from aftdeck.steering.layout import DT as PERIOD
+from aftdeck.tuples import UNTURNED
 
 _NO_STOP = 1e6
 """Angle of the stops [rad]. The report's joints have no stops, so this angle is too large for any joint to reach."""

@@ -9,12 +9,10 @@ from aftdeck.frames import rotation_x
 from aftdeck.scenario.model import Scenario
 from aftdeck.simulation.frame import Frame
 from aftdeck.steering.mode import MODES
-from aftdeck.tuples import Rows
+from aftdeck.tuples import UNTURNED, Rows
 
 MIXED = 7
 """Number of the steering law in which the RHC acts about the payload's axes, and the THC along the orbiter's."""
-_PANEL = ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0))
-"""The panel's own axes."""
 
 
 class StickAxes:
@@ -32,12 +30,12 @@ class StickAxes:
             return matrix_product(self._mount, matrix_product(frame.orientation, self._hand))
         if along == "payload axes" and frame.payload is not None:
             return matrix_product(self._mount, frame.payload.orientation)
-        return _PANEL
+        return UNTURNED
 
     def in_l(self, frame: Frame) -> tuple[Rows, Rows]:
         """Return the axes of the THC and of the RHC, in columns, in L; they differ in mode 7 only."""
         axes = self.in_panel(frame)
-        moving = self._to_l if axes is _PANEL else matrix_product(self._to_l, axes)
+        moving = self._to_l if axes is UNTURNED else matrix_product(self._to_l, axes)
         if frame.law == MIXED and frame.payload is not None:
             return moving, frame.payload.orientation
         return moving, moving

@@ -47,9 +47,9 @@ def step(flight: Flight, state: State, inputs: Inputs | None, most: int = 1) -> 
         inputs = delayed(state, inputs)
 
     # only the sticks are to be written if nothing else has moved since the last step
-    moved = only_sticks(inputs)
+    sticks_only = only_sticks(inputs)
     went_on, state.row.goes_on = state.row.goes_on, False  # also if an error ends this step
-    if goes_on := went_on and moved and state.by_script == source and not state.events:
+    if goes_on := went_on and sticks_only and state.by_script == source and not state.events:
         order(flight, state, log, inputs)
     else:
         if inputs.initialise is not None:
@@ -76,5 +76,5 @@ def step(flight: Flight, state: State, inputs: Inputs | None, most: int = 1) -> 
     log_arm_events(flight, state, log, complete=reached >= OBSERVED)
     if state.by_script:
         end_if_time_is_up(flight, state)
-    state.row.goes_on = moved and reached == UNCHANGED and is_idle(state)
+    state.row.goes_on = sticks_only and reached == UNCHANGED and is_idle(state)
     return inputs

@@ -25,7 +25,7 @@ from aftdeck.errors import InputError
 from aftdeck.frames import angle_between
 from aftdeck.law import law
 from aftdeck.matrices import length, product
-from aftdeck.tuples import Vec3
+from aftdeck.tuples import UNTURNED, Vec3
 from aftdeck.worksite.conditions import Condition, within
 
 SWITCHES = ("A", "B")
@@ -317,10 +317,9 @@ def retained(left: Array, tolerances: BerthTolerances) -> tuple[Condition, ...]:
 
 
 def _turn(left: Array, tolerances: BerthTolerances) -> Condition:
-    angle = angle_between(rows(left, 3), _STOWED)
+    angle = angle_between(rows(left, 3), UNTURNED)
     return within("payload's attitude", angle, -inf, tolerances.angle, "rad", _TURN_SAYS)
 
 
-_STOWED = ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0))
 _PLACE_SAYS = ("payload {} from its stowed place", "")
 _TURN_SAYS = ("payload turned {} from its stowed attitude", "")
