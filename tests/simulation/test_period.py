@@ -21,6 +21,7 @@ from aftdeck.simulation.period.drive import driven
 from aftdeck.simulation.period.limit import limited
 from aftdeck.simulation.period.period import DRIVEN, OBSERVED, SEEN, UNCHANGED
 from aftdeck.simulation.period.quick import give, quick_step, take
+from aftdeck.simulation.row.now import Flat
 from aftdeck.simulation.row.scalars import BEGAN, MADE
 from aftdeck.simulation.run import Simulation
 from aftdeck.simulation.state import State
@@ -50,7 +51,7 @@ def in_python(
     fly._steer(state)
     began = state.panel.motion_began
     give(flight, state, inputs)
-    flat = state.row.flat(flight.packed)
+    flat = Flat(*state.row.arrays(flight.packed))
     limited(flat, state.rules)
     state.row.scalars[BEGAN], state.row.scalars[MADE] = 0.0, 1.0
     reached = DRIVEN

@@ -13,6 +13,7 @@ from aftdeck.simulation.row.now import (
     INDICES,
     MARKS,
     NUMBERS,
+    Flat,
     Limits,
     Motion,
     Watch,
@@ -39,7 +40,7 @@ def flown(name: str) -> tuple[Flight, State]:
 
 def parts_of(flight: Flight, state: State) -> dict[str, np.ndarray]:
     """Return the parts of a row by the names of the named tuples in which laws receive them."""
-    flat = state.row.flat(flight.packed)
+    flat = Flat(*state.row.arrays(flight.packed))
     return motion_of(flat)._asdict() | watch_of(flat)._asdict() | limits_of(flat)._asdict()
 
 
@@ -72,7 +73,7 @@ def vars_of(owner: object) -> dict[str, object]:
 @pytest.mark.parametrize("name", built_in())
 def test_laws_receive_the_constants_of_a_run(name: str) -> None:
     flight, state = flown(name)
-    flat = state.row.flat(flight.packed)
+    flat = Flat(*state.row.arrays(flight.packed))
     world, pairs = world_arrays(flight), flight.site.layout.packed
     given: tuple[np.ndarray, ...] = (*world, *pairs)
     got: tuple[np.ndarray, ...] = (*world_of(flat), *pairs_of(flat))

@@ -108,7 +108,7 @@ def _update_contacts(flight: Flight, state: State) -> None:
     """Update the poses of all frames, the clearances, the contacts, and the inhibits that the contacts cause."""
     worksite, plant, scalars = state.worksite, state.plant, state.row.scalars
     scalars[STAND], scalars[PRONG_AT] = plant.stand.position, worksite.prong.position
-    contacts(*flight.packed, *state.row.packed, plant.frames)
+    contacts(state.row.arrays(flight.packed), plant.frames)
     values = state.row.values = scalars.tolist()
     worksite.nearest, worksite.watch.least = int(values[NEAREST]), values[LEAST]
     touching, changed = values[TOUCHING] != 0.0, values[CHANGED] != 0.0

@@ -93,8 +93,7 @@ class Rehearsal:
         values[PASSES], values[PASSES_TURN] = fly_by(flight.scenario, copy.panel)
         give(flight, copy, _NO_INPUTS)
         rehearsed(
-            *flight.packed,
-            *copy.row.packed,
+            copy.row.arrays(flight.packed),
             *copy.both_rules(),
             copy.arm.model.links,
             values,

@@ -50,7 +50,7 @@ def way_out_of_contact(flight: Flight, state: State) -> None:
     for motions, slides in ((_sticks(state), True), (_joints(flight, state.panel.mode), False)):
         rates, drives = np.array([own.rates for own in motions]), np.array([own.telescope for own in motions])
         gains = np.empty(len(motions))
-        ways_out(state.row.flat(flight.packed), rates, drives, SLOWLY, slides, gains)
+        ways_out(state.row.arrays(flight.packed), rates, drives, SLOWLY, slides, gains)
         if gains.max() > 0.0:
             worksite.advice = motions[int(gains.argmax())].command
             return

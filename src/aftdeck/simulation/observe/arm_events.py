@@ -59,7 +59,7 @@ def _observe(flight: Flight, state: State) -> None:
     scalars[STAND_VELOCITY], scalars[ARM] = state.plant.stand.velocity, state.worksite.contacts.inhibit.arm
     scalars[FLOWN], scalars[BY_JOINT] = panel.stick_law, MODES[panel.mode].by_joint
     give_limits(flight, state)
-    observe_arm(*flight.packed, *row.packed, state.arm.model.links, state.stick_rules)
+    observe_arm(row.arrays(flight.packed), state.arm.model.links, state.stick_rules)
     row.values = scalars.tolist()
 
 

@@ -25,7 +25,7 @@ from aftdeck.simulation.constants.flight import Flight
 from aftdeck.simulation.payloads.aligned import aligned_payload, is_aligned
 from aftdeck.simulation.row.aligning import Aligning, aligning_of
 from aftdeck.simulation.row.constants import learn_way
-from aftdeck.simulation.row.now import lent
+from aftdeck.simulation.row.now import Arrays, lent
 from aftdeck.simulation.row.on_way import PLACES, STEP
 from aftdeck.simulation.row.world import World, pairs_of, world_of
 from aftdeck.simulation.state import State
@@ -82,8 +82,7 @@ def alarm_pairs(
     contacts, before, aligned = worksite.contacts, worksite.aligned_with, UNKNOWN
     while aligned <= UNKNOWN:
         aligned = _marked(
-            *flight.packed,
-            *state.row.packed,
+            state.row.arrays(flight.packed),
             *watch.packed,
             watch.active,
             frames,
@@ -105,12 +104,7 @@ def alarm_pairs(
 
 @law
 def _marked(
-    fixed_numbers: Array,
-    fixed_indices: Indices,
-    fixed_marks: Mask,
-    numbers: Array,
-    indices: Indices,
-    marks: Mask,
+    arrays: Arrays,
     at: Array,
     placed: Array,
     bound: Array,
@@ -131,8 +125,8 @@ def _marked(
     travel: float,
     counts: Mask,
 ) -> int:
-    """Mark the pairs that count, as `mark` does; the first six arguments are those of `lent`."""
-    flat = lent(fixed_numbers, fixed_indices, fixed_marks, numbers, indices, marks)
+    """Mark the pairs that count, as `mark` does."""
+    flat = lent(arrays)
     own = Measured(lend(at), lend(placed), lend(bound), lend(likely), lend(memory), lend(found), lend(near))
     task = Contacting(lend(permitted), lend(frames_touching), lend(essential), lend(arm), inhibited)
     return mark(

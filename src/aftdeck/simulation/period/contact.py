@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import numpy as np
 
-from aftdeck.arrays import Array, Indices, Mask
+from aftdeck.arrays import Array
 from aftdeck.bodies.pair import CONTACT, PAIR
 from aftdeck.law import large_law, law
 from aftdeck.lent import lend
-from aftdeck.simulation.row.now import Flat, lent, monitor_of, motion_of, watch_of
+from aftdeck.simulation.row.now import Arrays, Flat, lent, monitor_of, motion_of, watch_of
 from aftdeck.simulation.row.scalars import (
     ARM,
     CHANGED,
@@ -41,20 +41,9 @@ LOOSE = 0.25
 
 
 @law
-def contacts(
-    fixed_numbers: Array,
-    fixed_indices: Indices,
-    fixed_marks: Mask,
-    numbers: Array,
-    indices: Indices,
-    marks: Mask,
-    true: Array,
-) -> None:
-    """Place all frames and count the contacts after Python code has moved the bodies, as `seen` does.
-
-    The first six arguments are those of `lent`.
-    """
-    seen(lent(fixed_numbers, fixed_indices, fixed_marks, numbers, indices, marks), lend(true))
+def contacts(arrays: Arrays, true: Array) -> None:
+    """Place all frames and count the contacts after Python code has moved the bodies, as `seen` does."""
+    seen(lent(arrays), lend(true))
 
 
 @law

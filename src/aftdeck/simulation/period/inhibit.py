@@ -8,7 +8,7 @@ from aftdeck.arrays import Array, Mask
 from aftdeck.law import large_law, law
 from aftdeck.lent import lend
 from aftdeck.simulation.period.predict import predicted
-from aftdeck.simulation.row.now import Flat, motion_of, watch_of
+from aftdeck.simulation.row.now import Arrays, Flat, lent, motion_of, watch_of
 from aftdeck.simulation.row.scalars import ADVISED, HELD, SLIDES, TELESCOPE
 from aftdeck.simulation.row.world import world_of
 from aftdeck.steering.layout import RATES
@@ -34,18 +34,11 @@ def may_move(flat: Flat) -> bool:
 
 
 @law
-def ways_out(
-    flat: Flat,
-    rates: Array,
-    drives: Array,
-    steps: float,
-    slides: bool,
-    gains: Array,
-) -> None:
+def ways_out(arrays: Arrays, rates: Array, drives: Array, steps: float, slides: bool, gains: Array) -> None:
     """Find how far each of several motions leads out of the present contacts.
 
     Args:
-        flat: constants of the run and row of the state.
+        arrays: constants of the run and row of the state.
         rates: (k, n) rates of the joints [rad/s].
         drives: (k,) drives of the telescope, in [-1, 1].
         steps: number of control steps, or share of one, for which each motion is tested first.
@@ -53,7 +46,7 @@ def ways_out(
         gains: (k,) output: the clearance that each motion gains [m], if it relieves the contacts. If none of them does:
             how much each lessens the depths if it is continued. 0 or less if it does not lead out.
     """
-    rates, drives, gains = lend(rates), lend(drives), lend(gains)
+    flat, rates, drives, gains = lent(arrays), lend(rates), lend(drives), lend(gains)
     counts, harmful = _kept_apart(flat, slides)
     may, best = np.empty(len(rates), np.bool_), -np.inf
     for k in range(len(rates)):

@@ -7,12 +7,12 @@ is allowed, so that the operator can always back out. A held payload slides alon
 
 from __future__ import annotations
 
-from aftdeck.arrays import Array, Indices, Mask
+from aftdeck.arrays import Array
 from aftdeck.law import large_law, law
 from aftdeck.lent import lend
 from aftdeck.simulation.period.inhibit import may_move
 from aftdeck.simulation.period.slide import slid_along
-from aftdeck.simulation.row.now import Flat, lent, motion_of, watch_of
+from aftdeck.simulation.row.now import Arrays, Flat, lent, motion_of, watch_of
 from aftdeck.simulation.row.scalars import (
     AUTOMATIC,
     FIXED,
@@ -33,20 +33,9 @@ BERTH, SWITCH, CONTACT = 1.0, 2.0, 3.0
 
 
 @law
-def limit(
-    fixed_numbers: Array,
-    fixed_indices: Indices,
-    fixed_marks: Mask,
-    numbers: Array,
-    indices: Indices,
-    marks: Mask,
-    rules: Array,
-) -> None:
-    """Limit the motion that Python code has commanded, as `limited` does.
-
-    The first six arguments are those of `lent`.
-    """
-    limited(lent(fixed_numbers, fixed_indices, fixed_marks, numbers, indices, marks), lend(rules))
+def limit(arrays: Arrays, rules: Array) -> None:
+    """Limit the motion that Python code has commanded, as `limited` does."""
+    limited(lent(arrays), lend(rules))
 
 
 @large_law

@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-from aftdeck.arrays import Array, Indices, Mask
+from aftdeck.arrays import Array
 from aftdeck.kinematics.observe import observe_near
 from aftdeck.law import large_law, law
 from aftdeck.lent import lend
 from aftdeck.simulation.payloads.alignment import Contacting, mark
 from aftdeck.simulation.period.ways import escape, zoned
 from aftdeck.simulation.row.aligning import aligning_of
-from aftdeck.simulation.row.now import Flat, lent, limits_of, monitor_of, motion_of, watch_of
+from aftdeck.simulation.row.now import Arrays, Flat, lent, limits_of, monitor_of, motion_of, watch_of
 from aftdeck.simulation.row.scalars import (
     ALIGNED,
     ARM,
@@ -25,21 +25,9 @@ from aftdeck.simulation.row.world import pairs_of, world_of
 
 
 @law
-def observe_arm(
-    fixed_numbers: Array,
-    fixed_indices: Indices,
-    fixed_marks: Mask,
-    numbers: Array,
-    indices: Indices,
-    marks: Mask,
-    links: Array,
-    sticks: Array,
-) -> None:
-    """Observe the arm after a step that Python code has made, as `observed` does.
-
-    The first six arguments are those of `lent`.
-    """
-    observed(lent(fixed_numbers, fixed_indices, fixed_marks, numbers, indices, marks), lend(links), lend(sticks))
+def observe_arm(arrays: Arrays, links: Array, sticks: Array) -> None:
+    """Observe the arm after a step that Python code has made, as `observed` does."""
+    observed(lent(arrays), lend(links), lend(sticks))
 
 
 @large_law

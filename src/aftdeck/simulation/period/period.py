@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from aftdeck.arrays import Array, Indices, Mask
+from aftdeck.arrays import Array
 from aftdeck.bodies.pose import POSE
 from aftdeck.law import law
 from aftdeck.lent import lend
@@ -13,7 +13,7 @@ from aftdeck.simulation.period.contact import judged, seen
 from aftdeck.simulation.period.drive import driven
 from aftdeck.simulation.period.observe import counted, observed
 from aftdeck.simulation.period.steer import steered
-from aftdeck.simulation.row.now import Flat, lent, motion_of, watch_of
+from aftdeck.simulation.row.now import Arrays, Flat, lent, motion_of, watch_of
 from aftdeck.simulation.row.scalars import (
     ARM,
     CHANGED,
@@ -41,12 +41,7 @@ FARTHEST = 1e300
 
 @law
 def advance(
-    fixed_numbers: Array,
-    fixed_indices: Indices,
-    fixed_marks: Mask,
-    numbers: Array,
-    indices: Indices,
-    marks: Mask,
+    arrays: Arrays,
     rules: Array,
     resting: Array,
     links: Array,
@@ -57,12 +52,7 @@ def advance(
     """Make control steps after the operator's commands, until something happens that Python has to handle.
 
     Args:
-        fixed_numbers: constants of the run and row of the state (`row.now.Flat`).
-        fixed_indices: the same.
-        fixed_marks: the same.
-        numbers: the same.
-        indices: the same.
-        marks: the same.
+        arrays: constants of the run and row of the state.
         rules: the steering's rules of the present mode, rate and law.
         resting: rules that replace `rules` while no automatic motion is in progress.
         links: as for `observe.observed`.
@@ -77,7 +67,7 @@ def advance(
         moved the arm, which has to be observed. `OBSERVED`: the step is complete. `UNCHANGED`: it has also changed
         nothing that the log or the panel shows.
     """
-    flat = lent(fixed_numbers, fixed_indices, fixed_marks, numbers, indices, marks)
+    flat = lent(arrays)
     rules, resting, links, sticks = lend(rules), lend(resting), lend(links), lend(sticks)
     v, found, reached = motion_of(flat).scalars, watch_of(flat).found, UNCHANGED
     telescope, task, made = v[TELESCOPE], v[TASK], 0

@@ -4,14 +4,14 @@ from __future__ import annotations
 
 import numpy as np
 
-from aftdeck.arrays import Array, Indices, Mask
+from aftdeck.arrays import Array
 from aftdeck.bodies.pose import POSE
 from aftdeck.law import large_law, law
 from aftdeck.lent import lend
 from aftdeck.simulation.period.actuator import after
 from aftdeck.simulation.period.contact import place
 from aftdeck.simulation.period.predict import looked_at
-from aftdeck.simulation.row.now import Flat, lent, motion_of, watch_of
+from aftdeck.simulation.row.now import Arrays, Flat, lent, motion_of, watch_of
 from aftdeck.simulation.row.scalars import (
     CLOSES,
     HELD,
@@ -31,20 +31,9 @@ from aftdeck.worksite.watch.contact_trial import predict_contacts
 
 
 @law
-def close_or_open(
-    fixed_numbers: Array,
-    fixed_indices: Indices,
-    fixed_marks: Mask,
-    numbers: Array,
-    indices: Indices,
-    marks: Mask,
-    true: Array,
-) -> None:
-    """Move the prong after Python code has moved the bodies, as `prong_moved` does.
-
-    The first six arguments are those of `lent`.
-    """
-    prong_moved(lent(fixed_numbers, fixed_indices, fixed_marks, numbers, indices, marks), lend(true))
+def close_or_open(arrays: Arrays, true: Array) -> None:
+    """Move the prong after Python code has moved the bodies, as `prong_moved` does."""
+    prong_moved(lent(arrays), lend(true))
 
 
 @large_law

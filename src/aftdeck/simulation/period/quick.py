@@ -71,8 +71,7 @@ def quick_step(
     else:
         give(flight, state, inputs)
     reached = advance(
-        *flight.packed,
-        *state.row.packed,
+        state.row.arrays(flight.packed),
         *state.both_rules(),
         state.arm.model.links,
         state.stick_rules,
@@ -89,7 +88,7 @@ def limit_motion(flight: Flight, state: State, inputs: Inputs) -> float:
     Return the allowed drive of the telescope, in [-1, 1]. On the kinematic plant, `quick_step` does this.
     """
     give(flight, state, inputs)
-    limit(*flight.packed, *state.row.packed, state.rules)
+    limit(state.row.arrays(flight.packed), state.rules)
     values = state.row.values = state.row.scalars.tolist()
     state.worksite.halt = _HALTS[int(values[HALT])]
     return float(values[TELESCOPE])
@@ -99,7 +98,7 @@ def move_prong(flight: Flight, state: State) -> None:
     """Move the prong after the bodies of a plant with masses. On the kinematic plant, `quick_step` does this."""
     scalars, prong, plant = state.row.scalars, state.worksite.prong, state.plant
     scalars[STAND] = plant.stand.position
-    close_or_open(*flight.packed, *state.row.packed, plant.frames)
+    close_or_open(state.row.arrays(flight.packed), plant.frames)
     prong.position, prong.velocity = scalars[[PRONG_AT, PRONG_VELOCITY]].tolist()
 
 

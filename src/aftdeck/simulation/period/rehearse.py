@@ -4,14 +4,14 @@ from __future__ import annotations
 
 import numpy as np
 
-from aftdeck.arrays import Array, Indices, Mask
+from aftdeck.arrays import Array
 from aftdeck.bodies.pose import POSE
 from aftdeck.kinematics.solver import nearest_singularity
 from aftdeck.law import law
 from aftdeck.lent import lend
 from aftdeck.simulation.period.contact import bounded, measured, placed, still_clear
 from aftdeck.simulation.period.period import ATTACHED, SEEN, moved, settled
-from aftdeck.simulation.row.now import lent, motion_of
+from aftdeck.simulation.row.now import Arrays, lent, motion_of
 from aftdeck.simulation.row.scalars import (
     ARM,
     CHANGED,
@@ -41,12 +41,7 @@ CLOSE = 1e-3
 
 @law
 def rehearsed(
-    fixed_numbers: Array,
-    fixed_indices: Indices,
-    fixed_marks: Mask,
-    numbers: Array,
-    indices: Indices,
-    marks: Mask,
+    arrays: Arrays,
     rules: Array,
     resting: Array,
     links: Array,
@@ -59,12 +54,7 @@ def rehearsed(
     """Rehearse control steps until one needs more than compiled code, may end the motion, or changes a contact.
 
     Args:
-        fixed_numbers: as for `period.advance`.
-        fixed_indices: the same.
-        fixed_marks: the same.
-        numbers: the same.
-        indices: the same.
-        marks: the same.
+        arrays: as for `period.advance`.
         rules: the same.
         resting: the same.
         links: the same.
@@ -74,7 +64,7 @@ def rehearsed(
         slowest: least share of the steering's speed that an estimate assumes [1].
         day: time at which every rehearsal ends [s].
     """
-    flat = lent(fixed_numbers, fixed_indices, fixed_marks, numbers, indices, marks)
+    flat = lent(arrays)
     world, now = world_of(flat), motion_of(flat)
     rules, resting, links, command, report = lend(rules), lend(resting), lend(links), now.command, now.report
     v, period = now.scalars, world.constants[PERIOD]
