@@ -120,6 +120,33 @@ def test_monitor_without_cache_gives_bit_identical_results(seed: int, within: fl
         assert watch.placed.tobytes() == forgetful.placed.tobytes()
 
 
+@settings(max_examples=10, deadline=None)
+@given(seeds, st.sampled_from([0.3, 2.0]), st.sampled_from([0.02, 0.5]))
+def test_list_of_small_bounds_leaves_out_no_group_that_matters(seed: int, within: float, share: float) -> None:
+    rng = np.random.default_rng(seed)
+    _, layout = scene(rng)
+    watch, forgetful, now = ClearanceMonitor(layout), ClearanceMonitor(layout), poses(rng)
+    groups, lists = len(watch.active), 0
+    counts, twists = np.ones(groups, np.uint8), drift(rng, 0.3)
+    for step in range(150):
+        if step % 25 == 0:
+            twists = drift(rng, 0.3)
+        if rng.random() < 0.05:
+            counts = (rng.random(groups) < share).astype(np.uint8)
+        if rng.random() < 0.05:
+            watch.active[:] = forgetful.active[:] = rng.random(groups) < 0.9
+        before, now = now, moved(now, twists, PERIOD)
+        forgetful.forget()
+        for one in (watch, forgetful):
+            one.look_near(before, now, PERIOD, counts, within)
+        lists += watch.listed[-1] < forgetful.active.sum()
+        assert watch.found.tobytes() == forgetful.found.tobytes()
+        bounds = watch.bound - (watch.moved[layout.between_frames] @ (1.0, 1.0))
+        near = forgetful.near != 0
+        assert (bounds[near] <= forgetful.found[near, CLEARANCE]).all()
+    assert lists > 0
+
+
 def test_nearest_pair_is_the_closest_of_the_selected_pairs() -> None:
     rng = np.random.default_rng(6)
     _, layout = scene(rng)

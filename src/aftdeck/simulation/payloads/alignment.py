@@ -30,10 +30,18 @@ from aftdeck.simulation.row.on_way import PLACES, STEP
 from aftdeck.simulation.row.world import World, pairs_of, world_of
 from aftdeck.simulation.state import State
 from aftdeck.worksite.berths.on_way import NEAR, on_way
-from aftdeck.worksite.watch.clearance_monitor import ClearanceMonitor, Measured, measure_group
+from aftdeck.worksite.watch.clearance_monitor import ClearanceMonitor
 from aftdeck.worksite.watch.contacts import FRAMES
 from aftdeck.worksite.watch.found import CLEARANCE
 from aftdeck.worksite.watch.groups import PackedLayout
+from aftdeck.worksite.watch.measured import (
+    Measured,
+    MeasuredArrays,
+    lower_bound,
+    measure_group,
+    measured_of,
+    place_bars,
+)
 from aftdeck.worksite.watch.places import nearest_place
 
 ASIDE = 0.3
@@ -83,7 +91,7 @@ def alarm_pairs(
     while aligned <= UNKNOWN:
         aligned = _marked(
             state.row.arrays(flight.packed),
-            *watch.packed,
+            watch.packed,
             watch.active,
             frames,
             permitted,
@@ -105,13 +113,7 @@ def alarm_pairs(
 @law
 def _marked(
     arrays: Arrays,
-    at: Array,
-    placed: Array,
-    bound: Array,
-    likely: Indices,
-    memory: Array,
-    found: Array,
-    near: Mask,
+    measured: MeasuredArrays,
     active: Mask,
     frames: Array,
     permitted: Mask,
@@ -127,7 +129,7 @@ def _marked(
 ) -> int:
     """Mark the pairs that count, as `mark` does."""
     flat = lent(arrays)
-    own = Measured(lend(at), lend(placed), lend(bound), lend(likely), lend(memory), lend(found), lend(near))
+    own = measured_of(measured)
     task = Contacting(lend(permitted), lend(frames_touching), lend(essential), lend(arm), inhibited)
     return mark(
         world_of(flat), aligning_of(flat), pairs_of(flat), own, lend(active), lend(frames), task, held, before, nearest,
@@ -194,11 +196,12 @@ def mark(
         if berth >= 0:
             return UNKNOWN - berth
     if len(world.meetings) > 0 and mark_task_pairs(
-        world.meetings, world.aligns, active, own.found, own.bound, task.permitted, nearest, NEAR, travel, counts
+        world.meetings, world.aligns, active, pairs, own, task.permitted, nearest, NEAR, travel, counts
     ):
         _decide(world, aligning, frames, nearest, counts)
     if held >= 0:
         return -1
+    place_bars(pairs, own, world.bars)
     k = aligned_payload(world, aligning, own.placed, frames, before)
     if k >= 0 and not (task.inhibited and _inhibited(task, aligning.grasped[k])):
         for g in range(len(counts)):
@@ -254,8 +257,12 @@ def _except_berth(
     for g in range(len(among)):
         if among[g] == 0 or world.detrimental[g] == 0 or active[g] == 0:
             continue
-        if own.bound[g] >= least[g] or measure_group(pairs, own, g, measures) > least[g]:
-            counts[g] = 0
+        if lower_bound(pairs, own, g) < least[g]:
+            near = own.near[g] != 0  # then it is measured already
+            clearance = own.found[g, CLEARANCE] if near else measure_group(pairs, own, g, measures)
+            if clearance <= least[g]:
+                continue
+        counts[g] = 0
     return -1
 
 
@@ -264,8 +271,8 @@ def mark_task_pairs(
     groups: Indices,
     aligns: Mask,
     active: Mask,
-    found: Array,
-    bound: Array,
+    pairs: PackedLayout,
+    own: Measured,
     permitted: Mask,
     nearest: int,
     farthest: float,
@@ -282,8 +289,8 @@ def mark_task_pairs(
         groups: (m,) indices of the pairs of the task.
         aligns: (m,) 1 for the pairs with the relation docking or guides; alignment applies only to these two relations.
         active: (g,) 1 for pairs that are monitored.
-        found: (g, 15) measurements, rows as in `worksite.watch.found`.
-        bound: (g,) lower bound of each pair's clearance [m].
+        pairs: solids and monitored pairs.
+        own: the clearances.
         permitted: (g,) result of `relations.permitted`, as for `alarm_pairs`.
         nearest: the pair with the minimum clearance before this step; -1 if there was none.
         farthest: distance beyond which two parts do not count as aligned [m].
@@ -294,15 +301,15 @@ def mark_task_pairs(
         Whether a pair is marked as `UNDECIDED`.
     """
     if nearest >= 0 and counts[nearest] != 0:  # a pair beyond the new `farthest` cannot have the minimum clearance
-        farthest = min(farthest, found[nearest, CLEARANCE] + travel)
+        farthest = min(farthest, own.found[nearest, CLEARANCE] + travel)
     undecided = False
     for m in range(len(groups)):
         g = groups[m]
         if active[g] == 0:
             continue
-        if found[g, CLEARANCE] <= CONTACT:
+        if own.found[g, CLEARANCE] <= CONTACT:
             counts[g] = 1 - permitted[g]
-        elif aligns[m] == 0 or bound[g] >= farthest:
+        elif aligns[m] == 0 or lower_bound(pairs, own, g) >= farthest:
             counts[g] = 1
         else:
             counts[g], undecided = UNDECIDED, True

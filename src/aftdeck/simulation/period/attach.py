@@ -6,11 +6,13 @@ from math import sqrt
 
 import numpy as np
 
-from aftdeck.bodies.pose import POSE, compose
+from aftdeck.arrays import Array
+from aftdeck.bodies.pose import POSE, compose, turned
+from aftdeck.bodies.vector import plus, vector_at
 from aftdeck.law import large_law, law
 from aftdeck.simulation.payloads.task_phases import ACQUISITION, DOCKED, EXTRACTION, MANOEUVRING
 from aftdeck.simulation.row.aligning import Aligning, aligning_of
-from aftdeck.simulation.row.now import Flat, Motion, motion_of, watch_of
+from aftdeck.simulation.row.now import Flat, Motion, monitor_of, motion_of, watch_of
 from aftdeck.simulation.row.scalars import (
     AT_PORT,
     CONTR,
@@ -25,7 +27,7 @@ from aftdeck.simulation.row.scalars import (
     TASK,
     WORKS,
 )
-from aftdeck.simulation.row.world import ENVELOPE, MOST, MOST_ANGLE, ONLY_Y, PORT, TIP, World, world_of
+from aftdeck.simulation.row.world import ENVELOPE, MOST, MOST_ANGLE, ONLY_Y, PORT, TIP, World, pairs_of, world_of
 from aftdeck.worksite.berths.docking import BEFORE, DISTANCE, FOUND, INSIDE, TURNED, approach
 from aftdeck.worksite.berths.on_way import NEAR
 from aftdeck.worksite.capture.acquisition import acquired_bar
@@ -33,7 +35,9 @@ from aftdeck.worksite.capture.effector import BEGINS, MOVES
 from aftdeck.worksite.capture.grapple import inside_envelope
 from aftdeck.worksite.capture.snare import CAPTURED, CAPTURES, DRAWN, MOTION, RING, ends_motion, next_part, travel
 from aftdeck.worksite.capture.snares import fixture_in_effector
-from aftdeck.worksite.watch.bay import any_inside
+from aftdeck.worksite.watch.bay import any_inside, may_be_inside
+from aftdeck.worksite.watch.groups import CENTRE, RADIUS, PackedLayout
+from aftdeck.worksite.watch.measured import Measured, place_bars, place_solid
 from aftdeck.worksite.watch.places import nearest_place
 
 
@@ -41,14 +45,15 @@ from aftdeck.worksite.watch.places import nearest_place
 def attached(flat: Flat) -> bool:
     """Return whether a payload may be captured, fixed or released now; write the report's mode into the scalars."""
     world, now, watch = world_of(flat), motion_of(flat), watch_of(flat)
-    v, c = now.scalars, world.constants
+    v, c, pairs, own = now.scalars, world.constants, pairs_of(flat), monitor_of(watch)
     held = int(v[HELD])
     captures = v[WORKS] == BEGINS
     if len(world.bars) > 0:
         if held >= 0:
             captures = captures or c[FIXED_FINGER] - v[PRONG_AT] > c[SPACING]
         else:
-            captures = captures or acquired_bar(watch.placed, world.bars, world.tolerances) >= 0
+            place_bars(pairs, own, world.bars)
+            captures = captures or acquired_bar(own.placed, world.bars, world.tolerances) >= 0
     berths, inside = v[RELEASED] != 0.0, False
     if held >= 0 and v[FIXED] == 0.0:
         begin, end = world.berth_begins[held], world.berth_begins[held + 1]
@@ -61,12 +66,28 @@ def attached(flat: Flat) -> bool:
         v[TASK] = DOCKED
     else:
         if len(world.bay) > 0:
-            solids = world.bodies[world.body_begins[held] : world.body_begins[held + 1]]
-            inside = any_inside(watch.placed, solids, world.scene, world.bay[0], world.bay[1])
+            inside = _in_bay(world, pairs, own, now.frames[world.rows[held]], held)
         v[TASK] = EXTRACTION if inside else MANOEUVRING
     if captures or berths:
         return True
     return v[WORKS] == MOVES and not _snares_move(world, aligning_of(flat), now, held)
+
+
+@law
+def _in_bay(world: World, pairs: PackedLayout, own: Measured, pose: Array, held: int) -> bool:
+    """Return whether a vertex of the held payload, whose pose is given (12,), is inside the payload bay."""
+    low, high = world.bay[0], world.bay[1]
+    if not may_be_inside(vector_at(pose, 0), pairs.reach[world.rows[held]], world.scene, low, high):
+        return False
+    for m in range(world.body_begins[held], world.body_begins[held + 1]):
+        i = world.bodies[m]
+        solid = pairs.solids[i]
+        centre = plus(turned(pose, vector_at(solid, CENTRE)), vector_at(pose, 0))
+        if may_be_inside(centre, solid[RADIUS], world.scene, low, high):
+            place_solid(pairs, own, i)
+            if any_inside(own.placed, world.bodies[m : m + 1], world.scene, low, high):
+                return True
+    return False
 
 
 @law

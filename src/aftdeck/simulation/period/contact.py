@@ -26,14 +26,10 @@ from aftdeck.simulation.row.scalars import (
     WITHIN,
 )
 from aftdeck.simulation.row.world import pairs_of, world_of
-from aftdeck.worksite.watch.clearance_monitor import (
-    measure_group,
-    measure_groups,
-    minimum_clearance_group,
-    travelled,
-)
-from aftdeck.worksite.watch.contacts import count_frames, two_frames
+from aftdeck.worksite.watch.clearance_monitor import measure_groups
+from aftdeck.worksite.watch.contacts import count_frame, two_frames
 from aftdeck.worksite.watch.found import CLEARANCE
+from aftdeck.worksite.watch.measured import lower_bound, measure_group, travelled
 from aftdeck.worksite.watch.places import place_everything
 
 LOOSE = 0.25
@@ -83,15 +79,20 @@ def measured(flat: Flat, within: float) -> None:
     """Measure the clearances below `within` [m] and count the contacts; write the results into the scalars."""
     now, watch = motion_of(flat), watch_of(flat)
     v, own, period = now.scalars, monitor_of(watch), world_of(flat).constants[PERIOD]
-    measure_groups(pairs_of(flat), own, watch.active, watch.counts, now.before, now.frames, period, within)
-    counted = count_frames(watch.found, watch.near, watch.frames_touching)
-    v[TOUCHING], v[CHANGED] = 1.0 if counted.touching else 0.0, 1.0 if counted.changed else 0.0
-    least = np.inf
-    for g in range(len(watch.near)):
+    every = measure_groups(pairs_of(flat), own, watch.active, watch.counts, now.before, now.frames, period, within)
+    touching, changed, groups = False, False, len(watch.near)
+    least, nearest, minimum = np.inf, -1, np.inf
+    for m in range(groups if every else own.listed[groups]):
+        g = m if every else own.listed[m]
+        changed = count_frame(watch.found, watch.near, watch.frames_touching, g) or changed
+        touching = touching or watch.frames_touching[g] != 0
         if watch.near[g] != 0:
-            least = min(least, watch.found[g, CLEARANCE])
-    v[LEAST] = least
-    v[NEAREST] = minimum_clearance_group(watch.found, watch.near, watch.counts)
+            clearance = watch.found[g, CLEARANCE]
+            least = min(least, clearance)
+            if watch.counts[g] != 0 and clearance < minimum:
+                nearest, minimum = g, clearance
+    v[TOUCHING], v[CHANGED] = 1.0 if touching else 0.0, 1.0 if changed else 0.0
+    v[LEAST], v[NEAREST] = least, nearest
 
 
 @law
@@ -109,9 +110,9 @@ def bounded(flat: Flat) -> float:
             return -np.inf
     for g in range(len(watch.active)):
         if watch.active[g] != 0:
-            if watch.bound[g] < LOOSE:
+            if lower_bound(pairs, own, g) < LOOSE:
                 measure_group(pairs, own, g, measures)
-            least = min(least, watch.bound[g])
+            least = min(least, lower_bound(pairs, own, g))
     return least
 
 

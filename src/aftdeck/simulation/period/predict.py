@@ -9,11 +9,12 @@ from aftdeck.bodies.pose import POSE
 from aftdeck.law import large_law
 from aftdeck.simulation.period.actuator import after
 from aftdeck.simulation.period.contact import place
-from aftdeck.simulation.row.now import Flat, motion_of, watch_of
+from aftdeck.simulation.row.now import Flat, monitor_of, motion_of, watch_of
 from aftdeck.simulation.row.scalars import PERIOD, PRONG_AT, STAND, TELESCOPE_HIGH, TELESCOPE_LOW, TELESCOPE_RATE
 from aftdeck.simulation.row.world import pairs_of, world_of
-from aftdeck.worksite.watch.clearance_monitor import Measured, measure_groups
+from aftdeck.worksite.watch.clearance_monitor import measure_groups
 from aftdeck.worksite.watch.contact_trial import STEP, PredictedContacts, predict_contacts
+from aftdeck.worksite.watch.measured import Measured, apart
 
 
 @large_law
@@ -39,10 +40,7 @@ def predicted(flat: Flat, counts: Mask, harmful: Mask, rates: Array, drive: floa
     monitored = np.empty(len(counts), np.uint8)
     for g in range(len(counts)):
         monitored[g] = counts[g] & watch.active[g]
-    own = Measured(
-        watch.at.copy(), watch.placed.copy(), watch.bound, watch.likely, watch.memory, watch.found, watch.near
-    )
-    return predict_contacts(pairs_of(flat), own, monitored, harmful, frames)
+    return predict_contacts(pairs_of(flat), apart(monitor_of(watch)), monitored, harmful, frames)
 
 
 @large_law
@@ -52,9 +50,11 @@ def looked_at(flat: Flat, frames: Array) -> Measured:
     The row's own measurements do not change.
     """
     watch = watch_of(flat)
+    here = apart(monitor_of(watch))
     own = Measured(
-        watch.at.copy(), watch.placed.copy(), watch.bound.copy(), watch.likely, watch.memory, watch.found.copy(),
-        watch.near.copy(),
+        here.at, here.placed, here.bound.copy(), here.moved, here.moved_then.copy(), here.beyond.copy(),
+        here.pair_bound, here.memory, here.found.copy(), here.likely, here.moves, here.placed_after,
+        here.listed.copy(), here.near.copy(), here.reviewed.copy(),
     )  # fmt: skip
     nothing = np.zeros(len(watch.active), np.uint8)
     measure_groups(pairs_of(flat), own, watch.active, nothing, frames, frames, 1.0, STEP)

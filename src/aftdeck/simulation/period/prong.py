@@ -11,7 +11,7 @@ from aftdeck.lent import lend
 from aftdeck.simulation.period.actuator import after
 from aftdeck.simulation.period.contact import place
 from aftdeck.simulation.period.predict import looked_at
-from aftdeck.simulation.row.now import Arrays, Flat, lent, motion_of, watch_of
+from aftdeck.simulation.row.now import Arrays, Flat, lent, monitor_of, motion_of, watch_of
 from aftdeck.simulation.row.scalars import (
     CLOSES,
     HELD,
@@ -28,6 +28,7 @@ from aftdeck.simulation.row.world import pairs_of, world_of
 from aftdeck.worksite.capture.acquisition import MEASURED, PRONG, acquire
 from aftdeck.worksite.watch.contact_motion import relief
 from aftdeck.worksite.watch.contact_trial import predict_contacts
+from aftdeck.worksite.watch.measured import place_solids
 
 
 @law
@@ -66,7 +67,9 @@ def _closing_fraction(flat: Flat, distance: float) -> float:
     if held < 0 or len(world.bars) == 0 or world.bars[held, 0] < 0:
         return 1.0
     found = np.empty(MEASURED)
-    acquire(watch_of(flat).placed, world.bars[held], world.tolerances, found)
+    own = monitor_of(watch_of(flat))
+    place_solids(pairs_of(flat), own, world.bars[held])
+    acquire(own.placed, world.bars[held], world.tolerances, found)
     clearance = max(found[PRONG], 0.0)
     return 1.0 if distance <= clearance else clearance / distance
 

@@ -11,7 +11,7 @@ from aftdeck.arrays import Array, Mask
 from aftdeck.law import large_law, law
 from aftdeck.simulation.period.actuator import after
 from aftdeck.simulation.period.predict import predicted
-from aftdeck.simulation.row.now import Flat, motion_of, watch_of
+from aftdeck.simulation.row.now import Flat, monitor_of, motion_of, watch_of
 from aftdeck.simulation.row.scalars import (
     HELD,
     PERIOD,
@@ -26,6 +26,7 @@ from aftdeck.steering.layout import RATES
 from aftdeck.worksite.sliding.projection import LEAST, OUTWARD, TOUCH
 from aftdeck.worksite.sliding.touches import EACH, touching
 from aftdeck.worksite.sliding.walls import met, slid
+from aftdeck.worksite.watch.measured import place_solids
 
 OUT = 0.01
 """Speed at which a payload that overlaps a wall is moved out of it [m/s] (assumed)."""
@@ -76,11 +77,14 @@ def _touches(flat: Flat, walls: Mask, frame: int, near: float) -> Array:
     `near` is the clearance up to which a wall is considered [m].
     """
     watch, pairs = watch_of(flat), pairs_of(flat)
+    own = monitor_of(watch)
     monitored, solids = np.empty(len(walls), np.uint8), 0
     for g in range(len(walls)):
         monitored[g] = walls[g] & watch.active[g]
         if monitored[g] != 0 and watch.near[g] != 0:
             solids += pairs.begins[g + 1] - pairs.begins[g]
+            for k in range(pairs.begins[g], pairs.begins[g + 1]):
+                place_solids(pairs, own, pairs.pairs[k])
     rows = np.empty((EACH * solids, TOUCH))
     period = world_of(flat).constants[PERIOD]
     count = touching(

@@ -14,9 +14,9 @@ from aftdeck.lent import lend, lend_block
 from aftdeck.simulation.row.scalars import FLOATING, SCALARS
 from aftdeck.steering.layout import COMMAND, REPORT, STATE
 from aftdeck.worksite.capture.snare import SNARE
-from aftdeck.worksite.watch.clearance_monitor import Measured
 from aftdeck.worksite.watch.found import FOUND
 from aftdeck.worksite.watch.groups import SOLID, Layout
+from aftdeck.worksite.watch.measured import Measured
 
 
 class Flat(NamedTuple):
@@ -66,7 +66,7 @@ class Motion(NamedTuple):
 
 
 class Watch(NamedTuple):
-    """Clearances and contacts; each has the name of the array of `ClearanceMonitor` or `Contacts` that it is.
+    """Clearances and contacts; each has the name that its array has in `Measured`, `ClearanceMonitor` or `Contacts`.
 
     `frames_touching` is `Contacts.count`.
     """
@@ -74,10 +74,18 @@ class Watch(NamedTuple):
     at: Array
     placed: Array
     bound: Array
+    moved: Array
+    moved_then: Array
+    beyond: Array
+    pair_bound: Array
     memory: Array
     found: Array
     likely: Indices
+    moves: Indices
+    placed_after: Indices
+    listed: Indices
     near: Mask
+    reviewed: Mask
     active: Mask
     counts: Mask
     monitored_before: Mask
@@ -107,13 +115,15 @@ class Limits(NamedTuple):
 
 NUMBERS = (
     "scalars", "angles", "rates", "commanded", "base", "orbiter", "orbiter_velocity", "poses_in_carrier", "frames",
-    "before", "flights", "steering", "command", "report", "observed", "at", "placed", "bound", "memory", "found",
-    "snare",
+    "before", "flights", "steering", "command", "report", "observed", "at", "placed", "bound", "moved", "moved_then",
+    "beyond", "pair_bound", "memory", "found", "snare",
 )  # fmt: skip
 """Parts of the row's float64, in their order."""
-INDICES = ("carrier", "likely", "zones", "singular", "advice", "ways")
+INDICES = ("carrier", "likely", "moves", "placed_after", "listed", "zones", "singular", "advice", "ways")
 """Parts of its int64."""
-MARKS = ("near", "active", "counts", "monitored_before", "frames_touching", "essential", "arm", "permitted")
+MARKS = (
+    "near", "reviewed", "active", "counts", "monitored_before", "frames_touching", "essential", "arm", "permitted",
+)  # fmt: skip
 """Parts of its uint8."""
 
 
@@ -137,8 +147,11 @@ def tables_of(layout: Layout, joints: int, singularities: int, payloads: int) ->
         "orbiter": (3,), "orbiter_velocity": (3,), "poses_in_carrier": (payloads, POSE), "frames": frames,
         "before": frames, "flights": (payloads, FLOATING), "steering": (STATE,), "command": (COMMAND,),
         "report": (REPORT,), "observed": (SEEN + singularities,), "at": frames,
-        "placed": (len(layout.solids), SOLID), "bound": groups, "memory": (len(layout.pairs), PAIR),
-        "found": (*groups, FOUND), "snare": (SNARE,), "carrier": (payloads,), "likely": groups,
+        "placed": (len(layout.solids), SOLID), "bound": groups, "moved": (len(layout.frames),),
+        "moved_then": (len(layout.frames),), "beyond": (3,), "pair_bound": (len(layout.pairs),),
+        "memory": (len(layout.pairs), PAIR), "found": (*groups, FOUND), "snare": (SNARE,), "carrier": (payloads,),
+        "likely": groups, "moves": (len(layout.frames),), "placed_after": (len(layout.solids),),
+        "listed": (len(layout.groups) + 1,), "reviewed": (2, *groups),
         "zones": (joints,), "singular": (singularities,), "advice": (singularities + joints,),
         "ways": (singularities + joints, 3),
     }  # fmt: skip
@@ -167,7 +180,7 @@ def motion_of(flat: Flat) -> Motion:
         line(numbers, own, 0), line(numbers, own, 1), line(numbers, own, 2), line(numbers, own, 3),
         line(numbers, own, 4), line(numbers, own, 5), line(numbers, own, 6), block(numbers, own, 7),
         block(numbers, own, 8), block(numbers, own, 9), block(numbers, own, 10), line(numbers, own, 11),
-        line(numbers, own, 12), line(numbers, own, 13), line(numbers, own, 14), line(numbers, own, 20),
+        line(numbers, own, 12), line(numbers, own, 13), line(numbers, own, 14), line(numbers, own, 24),
         line(flat.indices, whole, 0),
     )  # fmt: skip
 
@@ -178,21 +191,27 @@ def watch_of(flat: Flat) -> Watch:
     numbers, own, whole = flat.numbers, table(flat.fixed_indices, ROW), table(flat.fixed_indices, ROW + 1)
     marks, flags = flat.marks, table(flat.fixed_indices, ROW + 2)
     return Watch(
-        block(numbers, own, 15), block(numbers, own, 16), line(numbers, own, 17), block(numbers, own, 18),
-        block(numbers, own, 19), line(flat.indices, whole, 1), line(marks, flags, 0), line(marks, flags, 1),
+        block(numbers, own, 15), block(numbers, own, 16), line(numbers, own, 17), line(numbers, own, 18),
+        line(numbers, own, 19), line(numbers, own, 20), line(numbers, own, 21), block(numbers, own, 22),
+        block(numbers, own, 23), line(flat.indices, whole, 1), line(flat.indices, whole, 2),
+        line(flat.indices, whole, 3), line(flat.indices, whole, 4), line(marks, flags, 0), block(marks, flags, 1),
         line(marks, flags, 2), line(marks, flags, 3), line(marks, flags, 4), line(marks, flags, 5),
-        line(marks, flags, 6), line(marks, flags, 7),
+        line(marks, flags, 6), line(marks, flags, 7), line(marks, flags, 8),
     )  # fmt: skip
 
 
 @law
 def monitor_of(watch: Watch) -> Measured:
     """Return the arrays of the clearance monitor."""
-    return Measured(watch.at, watch.placed, watch.bound, watch.likely, watch.memory, watch.found, watch.near)
+    return Measured(
+        watch.at, watch.placed, watch.bound, watch.moved, watch.moved_then, watch.beyond, watch.pair_bound,
+        watch.memory, watch.found, watch.likely, watch.moves, watch.placed_after, watch.listed, watch.near,
+        watch.reviewed,
+    )  # fmt: skip
 
 
 @law
 def limits_of(flat: Flat) -> Limits:
     """Return the limits of a row."""
     indices, whole = flat.indices, table(flat.fixed_indices, ROW + 1)
-    return Limits(line(indices, whole, 2), line(indices, whole, 3), line(indices, whole, 4), block(indices, whole, 5))
+    return Limits(line(indices, whole, 5), line(indices, whole, 6), line(indices, whole, 7), block(indices, whole, 8))

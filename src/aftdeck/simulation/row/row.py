@@ -24,8 +24,11 @@ _WORKSITE = (
     "orbiter", "orbiter_velocity", "poses_in_carrier", "frames", "before", "carrier", "monitored_before", "permitted",
 )  # fmt: skip
 _CONTACTS = ("count", "essential", "arm")
-_RENAMED = {"count": "frames_touching"}
-_WATCH = ("at", "placed", "bound", "memory", "found", "likely", "near", "active", "counts")
+_RENAMED = {"count": "frames_touching", "solids": "placed"}
+_WATCH = (
+    "at", "solids", "bound", "moved", "moved_then", "beyond", "pair_bound", "memory", "found", "likely", "moves",
+    "placed_after", "listed", "near", "reviewed", "active", "counts",
+)  # fmt: skip
 """Arrays of a state that are parts of its row, by the part of the state to which they belong."""
 
 

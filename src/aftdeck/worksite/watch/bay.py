@@ -4,7 +4,26 @@ from __future__ import annotations
 
 from aftdeck.arrays import Array, Indices
 from aftdeck.bodies.hexahedron import VERTICES, X, Y, Z
+from aftdeck.bodies.pose import turned_back
+from aftdeck.bodies.vector import Vector, minus, vector_at
 from aftdeck.law import law
+
+
+@law
+def may_be_inside(centre: Vector, radius: float, frame: Array, low: Array, high: Array) -> bool:
+    """Return whether a sphere reaches into a box.
+
+    Args:
+        centre: its centre in L [m].
+        radius: its radius [m].
+        frame: (12,) pose in L of the frame in which the box is given.
+        low: (3,) the box's least coordinates in that frame [m].
+        high: (3,) the box's greatest coordinates in that frame [m].
+    """
+    at = turned_back(frame, minus(centre, vector_at(frame, 0)))
+    inside = low[0] < at.x + radius and at.x - radius < high[0]
+    inside = inside and low[1] < at.y + radius and at.y - radius < high[1]
+    return inside and bool(low[2] < at.z + radius and at.z - radius < high[2])
 
 
 @law

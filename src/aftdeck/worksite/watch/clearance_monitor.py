@@ -5,29 +5,26 @@ hexahedra and one body; this program examines all parts that can touch. For each
 later motion of the two parts' frames give a lower bound of the clearance. A group is measured again only if its bound
 is too small to exclude the group from the result.
 
-The remembered data of a pair of solids serve only to prove that the pair is not the nearest. The least clearance is
-always measured without such data. Of several pairs with the same clearance, the first is used. The result therefore
-equals the result of a monitor without memory, to the last digit.
+The groups with small bounds are *listed*. While no other group can be near, or be the nearest, a step examines only
+the listed groups; otherwise all groups are examined, and listed again.
 """
 
 from __future__ import annotations
 
-from math import sqrt
-from typing import Any, NamedTuple, Self
+from collections.abc import Sequence
+from typing import Any, Self
 
 import numpy as np
+from numpy.typing import NDArray
 
 from aftdeck.arrays import Array, Indices, Mask
 from aftdeck.bodies import pair as packed
 from aftdeck.bodies.depth import greatest
-from aftdeck.bodies.hexahedron import SIDES, VERTICES, place
+from aftdeck.bodies.hexahedron import SIDES, VERTICES
 from aftdeck.bodies.location_words import heights
 from aftdeck.bodies.pair import CONTACT, PAIR
-from aftdeck.bodies.pair_check import measure
-from aftdeck.bodies.planes import sides
-from aftdeck.bodies.pose import turned
 from aftdeck.bodies.vector import dot, minus, plus, put_vector, vector_at
-from aftdeck.law import large_law, law
+from aftdeck.law import law
 from aftdeck.state_part import Cache
 from aftdeck.worksite.watch.found import (
     CLEARANCE,
@@ -41,121 +38,26 @@ from aftdeck.worksite.watch.found import (
     SPEED,
     WHICH,
 )
-from aftdeck.worksite.watch.groups import CENTRE, POSE, RADIUS, SOLID, Layout, PackedLayout
+from aftdeck.worksite.watch.groups import POSE, SOLID, Layout, PackedLayout
+from aftdeck.worksite.watch.measured import (
+    NEVER,
+    Measured,
+    MeasuredArrays,
+    follow,
+    lower_bound,
+    lower_bounds,
+    measure_group,
+    measured_of,
+    place_solids,
+)
 from aftdeck.worksite.watch.motion import motion, velocity
 
-_SLACK = 1e-9
-"""Margin by which a group's bound is lowered [m]; it is more than the rounding errors."""
+ROOM = 0.25
+"""How much a group's bound may exceed the limit below which it matters, and the group is listed [m] (assumed): with
+less, groups are listed again sooner; with more, each step examines more of them."""
 
-
-class Measured(NamedTuple):
-    """Arrays of a `ClearanceMonitor` that the laws update; they have the names of the monitor's attributes."""
-
-    at: Array
-    placed: Array
-    bound: Array
-    likely: Indices
-    memory: Array
-    found: Array
-    near: Mask
-
-
-@law
-def place_moved(layout: PackedLayout, frames: Array, at: Array, placed: Array) -> None:
-    """Compute the positions in L of the solids whose frame has moved.
-
-    Args:
-        layout: the solids, in their own frames.
-        frames: (F, 12) present poses of the frames, in L.
-        at: (F, 12) poses of the frames when the solids were last placed; updated.
-        placed: (n, 52) the solids in L; updated.
-    """
-    solids, frame = layout.solids, layout.frame
-    moved = np.zeros(len(frames), np.bool_)
-    for f in range(len(frames)):
-        for k in range(POSE):
-            if frames[f, k] != at[f, k]:
-                moved[f] = True
-                at[f, k] = frames[f, k]
-    for i in range(len(solids)):
-        f = frame[i]
-        if not moved[f]:
-            continue
-        place(solids[i], frames[f], frames[f, 3:].reshape(3, 3), placed[i])
-        put_vector(placed[i], CENTRE, plus(turned(frames[f], vector_at(solids[i], CENTRE)), vector_at(frames[f], 0)))
-        placed[i, RADIUS] = solids[i, RADIUS]
-
-
-@law
-def travelled(frames: Array, at: Array, reach: Array, travel: Array) -> None:
-    """Compute for each frame an upper bound of the displacement of its solids' points since the solids were placed.
-
-    Args:
-        frames: (F, 12) present poses of the frames, in L.
-        at: (F, 12) poses of the frames when the solids were last placed, in L; NaN if the solids were never placed.
-        reach: (F,) upper bound of the distance of a frame's solids from the frame's origin [m].
-        travel: (F,) output: upper bounds of the displacements [m]; NaN for a frame whose solids were never placed.
-    """
-    for f in range(len(frames)):
-        origin, rotation = 0.0, 0.0
-        for k in range(3):
-            away = frames[f, k] - at[f, k]
-            origin += away * away
-        for k in range(3, POSE):
-            away = frames[f, k] - at[f, k]
-            rotation += away * away
-        # the spectral norm of a difference of two rotations is its Frobenius norm divided by the square root of 2
-        travel[f] = sqrt(origin) + sqrt(0.5 * rotation) * reach[f]
-
-
-@law
-def not_nearer(a: Array, b: Array, pair: Array, best: float) -> bool:
-    """Return whether the bounding spheres or the last normal prove that two solids are not nearer than `best` [m]."""
-    centres = minus(vector_at(b, CENTRE), vector_at(a, CENTRE))
-    reach = best + a[RADIUS] + b[RADIUS]
-    if reach < 0.0 or dot(centres, centres) > reach * reach:
-        return True
-    along = sides(a, b, vector_at(pair, packed.NORMAL))
-    apart = along.b - along.a
-    # a pair without a normal has a zero vector, for which `apart` is 0
-    return apart > 0.0 and apart > best
-
-
-@large_law
-def nearest_pair(layout: PackedLayout, own: Measured, g: int, limit: float, measures: Array) -> int:
-    """Return the pair of solids of a group that has the least clearance; of pairs with equal clearance, the first.
-
-    Args:
-        layout: the solids and the groups.
-        own: arrays of the monitor. The positions of the solids are in `placed`. The search begins with the pair in
-            `likely`, and `memory` is updated; neither `likely` nor `memory` affects the result.
-        g: the group.
-        limit: pairs that are not nearer than this are ignored [m].
-        measures: (17,) output: packed measurements of the pair.
-
-    Returns:
-        Index of the pair; -1 if no pair is below the limit.
-    """
-    placed, pairs, memory = own.placed, layout.pairs, own.memory
-    begin, end, first = layout.begins[g], layout.begins[g + 1], own.likely[g]
-    best, least, found = -1, limit, np.empty(packed.PAIR)
-    for visit in range(begin - 1, end):
-        k = first if visit < begin else visit
-        if visit == first:
-            continue
-        a, b = placed[pairs[k, 0]], placed[pairs[k, 1]]
-        # remembered data are used only to show that a pair is not the nearest
-        beyond = least + _SLACK
-        if visit >= begin and (not_nearer(a, b, memory[k], beyond) or measure(a, b, memory[k]) > beyond):
-            continue
-        found[:] = 0.0
-        clearance = measure(a, b, found)
-        if visit < begin:
-            memory[k] = found
-        if clearance < least or (clearance == least and k < best):
-            best, least = k, clearance
-            measures[:] = found
-    return best
+FAR = 10.0
+"""Motion since the groups were listed after which all bounds are lowered [m] (assumed)."""
 
 
 @law
@@ -172,25 +74,14 @@ def watch(
     now: Array,
     period: float,
     within: float,
-    at: Array,
-    placed: Array,
-    bound: Array,
-    likely: Indices,
-    memory: Array,
-    found: Array,
-    near: Mask,
+    arrays: MeasuredArrays,
 ) -> None:
-    """Run `measure_groups`.
-
-    The arrays of the layout and of the monitor are separate arguments here, because Python passes separate arrays
-    faster than a tuple of arrays.
-    """
+    """Run `measure_groups`; the arrays of the layout are separate arguments here."""
     layout = PackedLayout(solids, frame, pairs, begins, between_frames, reach)
-    own = Measured(at, placed, bound, likely, memory, found, near)
-    measure_groups(layout, own, active, counts, before, now, period, within)
+    measure_groups(layout, measured_of(arrays), active, counts, before, now, period, within)
 
 
-@large_law
+@law
 def measure_groups(
     layout: PackedLayout,
     own: Measured,
@@ -200,7 +91,7 @@ def measure_groups(
     now: Array,
     period: float,
     within: float,
-) -> None:
+) -> bool:
     """Measure the active groups with clearances below `within`.
 
     The nearest active group with a 1 in `counts` is always measured.
@@ -214,16 +105,80 @@ def measure_groups(
         now: (F, 12) present poses of the frames, in L.
         period: time between `before` and `now` [s].
         within: clearance up to which groups are measured [m]; inf for all groups.
+
+    Returns:
+        Whether groups that are not listed may have been near before.
     """
-    bound, found, between, near = own.bound, own.found, layout.between_frames, own.near
-    travel = np.empty(len(now))
-    travelled(now, own.at, layout.reach, travel)
-    place_moved(layout, now, own.at, own.placed)
-    measures = np.empty(packed.PAIR)
-    least, nearest, lowest = np.inf, -1, np.inf
+    follow(layout, own, now)
+    most = greatest_approach(own.moved, own.moved_then)
+    every = own.beyond[2] != within or not (own.beyond[0] - most >= within and same_groups(own, active, counts))
+    while True:
+        if every:
+            list_all(layout, own, active, counts, most)
+        least = measure_listed(layout, own, active, counts, before, now, period, within)
+        if every:
+            shorten_list(layout, own, active, counts, max(within, least if least < np.inf else 0.0) + ROOM)
+            own.beyond[2] = within
+            return True
+        every = own.beyond[1] < np.inf and not own.beyond[1] - most > least
+        if not every:
+            return False
+
+
+@law
+def list_all(layout: PackedLayout, own: Measured, active: Mask, counts: Mask, most: float) -> None:
+    """List all groups; `most` is `greatest_approach` since they were listed last."""
+    if most > FAR:
+        lower_bounds(layout, own)
+    own.moved_then[:] = own.moved
     for g in range(len(active)):
-        bound[g] -= travel[between[g, 0]] + travel[between[g, 1]]
-        close = active[g] != 0 and not bound[g] >= within
+        own.listed[g], own.reviewed[0, g], own.reviewed[1, g] = g, active[g], counts[g]
+    own.listed[len(active)] = len(active)
+
+
+@law
+def same_groups(own: Measured, active: Mask, counts: Mask) -> bool:
+    """Return whether the same groups are active and count as when the groups were listed."""
+    changed = 0
+    for g in range(len(active)):
+        changed |= (own.reviewed[0, g] ^ active[g]) | (own.reviewed[1, g] ^ counts[g])
+    return changed == 0
+
+
+@law
+def greatest_approach(moved: Array, moved_then: Array) -> float:
+    """Return the distance by which two parts may have approached each other [m], from `moved` (F,) now and before."""
+    first, second = 0.0, 0.0
+    for f in range(len(moved)):
+        by = moved[f] - moved_then[f]
+        if by > first:
+            first, second = by, first
+        elif by > second:
+            second = by
+    return first + second
+
+
+@law
+def measure_listed(
+    layout: PackedLayout,
+    own: Measured,
+    active: Mask,
+    counts: Mask,
+    before: Array,
+    now: Array,
+    period: float,
+    within: float,
+) -> float:
+    """Measure the listed groups, as `measure_groups` does for all; return the least clearance of those that count [m].
+
+    It is inf if none of them counts.
+    """
+    found, near, listed = own.found, own.near, own.listed
+    count, measures = listed[len(active)], np.empty(packed.PAIR)
+    least, nearest, lowest = np.inf, -1, np.inf
+    for m in range(count):
+        g = listed[m]
+        close = active[g] != 0 and not lower_bound(layout, own, g) >= within
         if close:
             close = measure_group(layout, own, g, measures) < within
         if close:
@@ -233,34 +188,56 @@ def measure_groups(
         if active[g] != 0 and counts[g] != 0:
             if near[g] != 0:
                 least = min(least, found[g, CLEARANCE])
-            if bound[g] < lowest:
-                nearest, lowest = g, bound[g]
+            bound = lower_bound(layout, own, g)
+            if bound < lowest:
+                nearest, lowest = g, bound
     if least < np.inf or nearest < 0:
-        return
+        return least
     # of groups with equal clearance use the first: the result then does not depend on where the search begins
-    best = nearest
-    least = measure_group(layout, own, best, measures)
-    other = np.empty(packed.PAIR)
-    for g in range(len(active)):
-        if active[g] != 0 and counts[g] != 0 and bound[g] < least and g != nearest:
-            clearance = measure_group(layout, own, g, other)
-            if clearance < least or (clearance == least and g < best):
-                best, least = g, clearance
-                measures[:] = other
+    best, other = nearest, np.empty(packed.PAIR)
+    for m in range(-1, count):
+        g = nearest if m < 0 else listed[m]
+        if m >= 0 and (active[g] == 0 or counts[g] == 0 or g == nearest or lower_bound(layout, own, g) >= least):
+            continue
+        clearance = measure_group(layout, own, g, other)
+        if clearance < least or (clearance == least and g < best):
+            best, least = g, clearance
+            measures[:] = other
     _fill(layout, own, best, before, now, period, measures)
+    return least
 
 
 @law
-def measure_group(layout: PackedLayout, own: Measured, g: int, measures: Array) -> float:
-    """Return the clearance of group g [m]; write the measurements of its nearest pair into `measures` (17,).
+def shorten_list(layout: PackedLayout, own: Measured, active: Mask, counts: Mask, limit: float) -> None:
+    """List the groups whose bounds are below `limit` [m], and those that are near."""
+    count, beyond, counting = 0, np.inf, np.inf
+    for g in range(len(active)):
+        if active[g] == 0:
+            continue
+        bound = lower_bound(layout, own, g)
+        if own.near[g] != 0 or bound < limit:
+            own.listed[count] = g
+            count += 1
+        else:
+            beyond = min(beyond, bound)
+            if counts[g] != 0:
+                counting = min(counting, bound)
+    own.listed[len(active)], own.beyond[0], own.beyond[1] = count, beyond, counting
 
-    Also update `bound` and `likely`. The bound is slightly lower than the clearance. Rounding errors therefore cannot
-    make the clearance less than the bound.
-    """
-    own.likely[g] = nearest_pair(layout, own, g, np.inf, measures)
-    clearance: float = measures[packed.CLEARANCE]
-    own.bound[g] = clearance - _SLACK
-    return clearance
+
+@law
+def placed_all(
+    solids: Array,
+    frame: Indices,
+    pairs: Indices,
+    begins: Indices,
+    between_frames: Indices,
+    reach: Array,
+    arrays: MeasuredArrays,
+) -> None:
+    """Place all solids in L; the arguments are those of `watch`."""
+    layout = PackedLayout(solids, frame, pairs, begins, between_frames, reach)
+    place_solids(layout, measured_of(arrays), np.arange(len(frame)))
 
 
 @law
@@ -329,10 +306,9 @@ class ClearanceMonitor(Cache):
         likely: (g,) nearest pair of each group at its last measurement.
         memory: (m, 17) remembered data of each pair of solids.
         at: (F, 12) poses of the frames at the last measurement, in L.
-        placed: (n, 52) the solids at these poses, in L.
-        bound: (g,) lower bound of each group's clearance at these poses [m].
+        solids: (n, 52) the solids in L; those that were needed are at these poses.
         least: lower bound of the clearances in `found` [m].
-        packed: the arrays that the laws update.
+        packed: the arrays that the laws update; `bound` to `reviewed` are described in `Measured`.
     """
 
     def __init__(self, layout: Layout) -> None:
@@ -341,27 +317,37 @@ class ClearanceMonitor(Cache):
         self.counts = self.active.copy()
         self.found = np.zeros((len(layout.groups), FOUND))
         self.found[:, CLEARANCE] = np.inf
-        self.likely = np.empty(len(layout.groups), np.int64)
-        self.memory = np.empty((len(layout.pairs), PAIR))
-        self.bound = np.empty(len(layout.groups))
-        self.at = np.empty((len(layout.frames), POSE))
-        self.placed = np.zeros((len(layout.solids), SOLID))
-        self.near = np.zeros(len(layout.groups), np.uint8)
+        groups, solids, frames = len(layout.groups), len(layout.solids), len(layout.frames)
+        self.likely, self.listed = np.empty(groups, np.int64), np.zeros(groups + 1, np.int64)
+        self.memory, self.pair_bound = np.empty((len(layout.pairs), PAIR)), np.empty(len(layout.pairs))
+        self.bound, self.beyond = np.empty(groups), np.empty(3)
+        self.moved, self.moved_then = np.empty(frames), np.empty(frames)
+        self.at, self.solids = np.empty((frames, POSE)), np.zeros((solids, SOLID))
+        self.moves, self.placed_after = np.zeros(frames, np.int64), np.empty(solids, np.int64)
+        self.near, self.reviewed = np.zeros(groups, np.uint8), np.zeros((2, groups), np.uint8)
         self.least = -np.inf
         self.pack()
         self.forget()
 
     def pack(self) -> None:
         """Set `packed` to the present arrays."""
-        own = Measured(self.at, self.placed, self.bound, self.likely, self.memory, self.found, self.near)
-        self.packed: tuple[Any, Any, Any, Any, Any, Any, Any] = own
+        self.packed: MeasuredArrays = (
+            self.at, self.solids, self.bound, self.moved, self.moved_then, self.beyond, self.pair_bound, self.memory,
+            self.found, self.likely, self.moves, self.placed_after, self.listed, self.near, self.reviewed,
+        )  # fmt: skip
+
+    @property
+    def placed(self) -> Array:
+        """The solids (n, 52) at the poses of the last measurement, in L."""
+        placed_all(*self.layout.packed, self.packed)
+        return self.solids
 
     def forget(self) -> None:
         """Discard the remembered data. This does not change the result of the next measurement."""
         self.likely[:] = self.layout.begins[:-1]
         self.memory[:] = 0.0
-        self.bound[:] = -np.inf
-        self.at[:] = np.nan
+        self.bound[:] = self.pair_bound[:] = self.beyond[:] = -np.inf
+        self.at[:], self.moved[:], self.moved_then[:], self.placed_after[:] = np.nan, 0.0, 0.0, NEVER
 
     def update(self, before: Array, now: Array, period: float) -> None:
         """Measure all active groups and write the results into `found`; other groups get the clearance inf in `found`.
@@ -380,7 +366,7 @@ class ClearanceMonitor(Cache):
         arguments are those of `update`.
         """
         self.least = -np.inf
-        watch(*self.layout.packed, self.active, counts, before, now, period, within, *self.packed)
+        watch(*self.layout.packed, self.active, counts, before, now, period, within, self.packed)
 
     def nearest(self, counts: Mask) -> int:
         """Return the group of least clearance among groups with a 1 in `counts` (g,); -1 if none was measured."""
@@ -390,6 +376,7 @@ class ClearanceMonitor(Cache):
         """Return a copy of the monitor with the same measurements and remembered data."""
         copy = type(self)(self.layout)
         copy.active[:], copy.counts[:] = self.active, self.counts
-        for own, array in zip(copy.packed, self.packed, strict=True):
-            own[:] = array
+        own: Sequence[NDArray[Any]] = copy.packed
+        for array, other in zip(own, self.packed, strict=True):
+            array[...] = other
         return copy

@@ -18,18 +18,20 @@ from aftdeck.bodies.pair_check import measure
 from aftdeck.bodies.pose import turned_back
 from aftdeck.bodies.vector import Vector, dot, minus, vector_at
 from aftdeck.law import large_law, law
-from aftdeck.worksite.watch.clearance_monitor import (
-    ClearanceMonitor,
-    Measured,
-    copy_pair,
-    nearest_pair,
-    not_nearer,
-    place_moved,
-    travelled,
-    way_apart,
-)
+from aftdeck.worksite.watch.clearance_monitor import ClearanceMonitor, copy_pair, way_apart
 from aftdeck.worksite.watch.found import CLEARANCE, FOUND, NORMAL, POINT_A, POINT_B
 from aftdeck.worksite.watch.groups import PackedLayout
+from aftdeck.worksite.watch.measured import (
+    Measured,
+    MeasuredArrays,
+    apart,
+    follow,
+    lower_bound,
+    measured_of,
+    nearest_pair,
+    place_solid,
+    spheres_apart,
+)
 
 STEP = 1.0
 """Distance beyond which two solids cannot come into contact within one step [m]."""
@@ -67,22 +69,21 @@ def predict_contacts(
 
     Args:
         layout: the solids and the groups.
-        own: arrays of the monitor before the motion. `at` and `placed` have to be copies, because they are changed to
-            the values after the motion. `memory` is updated, which does not affect the result.
+        own: arrays of the monitor before the motion. They have to be `apart`, because they are changed to the values
+            after the motion. `memory` is updated, which does not affect the result.
         counts: (g,) 1 for groups whose contacts count; these groups have to be active.
         harmful: (g,) 1 for each of these groups whose contact is detrimental: the motion has to relieve the contact.
         after: (F, 12) poses of the frames after the motion, in L.
     """
-    found, begins, between = own.found, layout.begins, layout.between_frames
-    travel, was, measures = np.empty(len(after)), np.full(len(own.memory), np.inf), np.empty(packed.PAIR)
+    found, begins = own.found, layout.begins
+    was, measures = np.full(len(own.memory), np.inf), np.empty(packed.PAIR)
     slid, touching = 0.0, False
     for g in range(len(counts)):
         if counts[g] != 0 and harmful[g] != 0 and found[g, CLEARANCE] <= CONTACT:
             touching = True
             for k in range(begins[g], begins[g + 1]):
                 slid = max(slid, _slid(layout, own, after, k, was))
-    travelled(after, own.at, layout.reach, travel)
-    place_moved(layout, after, own.at, own.placed)
+    follow(layout, own, after)
     worst, which, gained, deeper, lessened, made = np.inf, -1, 0.0, -np.inf, 0.0, False
     for g in range(len(counts)):
         if counts[g] == 0:
@@ -90,10 +91,10 @@ def predict_contacts(
         before, limit = found[g, CLEARANCE], np.inf
         if before > CONTACT:
             limit = 2.0 * CONTACT
-            if own.bound[g] - travel[between[g, 0]] - travel[between[g, 1]] >= limit:
+            if lower_bound(layout, own, g) >= limit:
                 continue
         elif harmful[g] != 0:
-            changes = _summed_changes(own.placed, layout.pairs, begins[g], begins[g + 1], was)
+            changes = _summed_changes(layout, own, begins[g], begins[g + 1], was)
             gained, lessened = gained + changes[0], lessened + changes[1]
         if nearest_pair(layout, own, g, limit, measures) < 0:
             continue
@@ -108,18 +109,21 @@ def predict_contacts(
 
 
 @law
-def _summed_changes(placed: Array, pairs: Indices, begin: int, end: int, was: Array) -> tuple[float, float]:
+def _summed_changes(layout: PackedLayout, own: Measured, begin: int, end: int, was: Array) -> tuple[float, float]:
     """Return two sums over a group's pairs of solids: changes in clearance, and decreases in depth [m].
 
     `was` contains the clearance of each pair before the motion; pairs with inf are left out. For a pair that did not
     touch before the motion, both sums contain only the new depth, as a negative value.
     """
-    gained, lessened, own = 0.0, 0.0, np.empty(packed.PAIR)
+    gained, lessened, pair = 0.0, 0.0, np.empty(packed.PAIR)
     for k in range(begin, end):
         if was[k] == np.inf:
             continue
-        own[:] = 0.0
-        now = measure(placed[pairs[k, 0]], placed[pairs[k, 1]], own)
+        pair[:] = 0.0
+        i, j = layout.pairs[k, 0], layout.pairs[k, 1]
+        place_solid(layout, own, i)
+        place_solid(layout, own, j)
+        now = measure(own.placed[i], own.placed[j], pair)
         gained += now - was[k] if was[k] <= CONTACT else min(now, 0.0)
         lessened += min(now, 0.0) - min(was[k], 0.0)
     return gained, lessened
@@ -130,11 +134,13 @@ def _slid(layout: PackedLayout, own: Measured, after: Array, k: int, was: Array)
     """Return the distance that the touching points of pair k slide along each other [m]; 0 if the pair does not touch.
 
     The distance is measured perpendicular to the shortest move that separates the solids. Also write the present
-    clearance of the pair into was[k]; was[k] remains inf if `not_nearer` proves that the clearance is at least `STEP`.
+    clearance of the pair into was[k]; was[k] remains inf if the bounding spheres are farther apart than `STEP`.
     """
     i, j = layout.pairs[k, 0], layout.pairs[k, 1]
+    place_solid(layout, own, i)
+    place_solid(layout, own, j)
     a, b = own.placed[i], own.placed[j]
-    if not_nearer(a, b, own.memory[k], STEP):
+    if spheres_apart(a, b) > STEP:
         return 0.0
     pair = np.zeros(packed.PAIR)
     was[k] = measure(a, b, pair)
@@ -173,24 +179,16 @@ def tried(
     counts: Mask,
     harmful: Mask,
     after: Array,
-    at: Array,
-    placed: Array,
-    bound: Array,
-    likely: Indices,
-    memory: Array,
-    found: Array,
-    near: Mask,
+    arrays: MeasuredArrays,
 ) -> PredictedContacts:
     """Return the prediction for a motion that ends at the poses `after` (F, 12).
 
-    The arrays of the layout and of the monitor are separate arguments here, because Python passes separate arrays
-    faster than a tuple of arrays.
+    The arrays of the layout are separate arguments here.
     """
     layout = PackedLayout(solids, frame, pairs, begins, between_frames, reach)
-    own = Measured(at.copy(), placed.copy(), bound, likely, memory, found, near)
-    return predict_contacts(layout, own, counts, harmful, after)
+    return predict_contacts(layout, apart(measured_of(arrays)), counts, harmful, after)
 
 
 def trial_of(watch: ClearanceMonitor, counts: Mask, harmful: Mask, after: Array) -> PredictedContacts:
     """Return the effect of a motion that ends at the poses `after` (F, 12); the other arguments: `predict_contacts`."""
-    return tried(*watch.layout.packed, counts & watch.active, harmful, after, *watch.packed)
+    return tried(*watch.layout.packed, counts & watch.active, harmful, after, watch.packed)

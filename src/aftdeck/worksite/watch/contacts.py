@@ -73,11 +73,20 @@ def count_frames(found: Array, near: Mask, count: Mask) -> Counted:
     """
     touching, changed = False, False
     for g in range(len(count)):
-        now = min(int(count[g]) + 1, FRAMES) if near[g] != 0 and found[g, CLEARANCE] <= CONTACT else 0
-        changed = changed or now != count[g]
-        touching = touching or now > 0
-        count[g] = now
+        changed = count_frame(found, near, count, g) or changed
+        touching = touching or count[g] != 0
     return Counted(touching, changed)
+
+
+@law
+def count_frame(found: Array, near: Mask, count: Mask, g: int) -> bool:
+    """Update the number of successive steps in which group g was in contact, as `count_frames` does for all groups.
+
+    Return whether the number has changed.
+    """
+    before = count[g]
+    count[g] = min(int(before) + 1, FRAMES) if near[g] != 0 and found[g, CLEARANCE] <= CONTACT else 0
+    return bool(count[g] != before)
 
 
 @law
