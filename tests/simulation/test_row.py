@@ -53,7 +53,7 @@ def test_the_arrays_of_a_state_are_the_parts_of_its_row(name: str) -> None:
     for name_of, part in parts.items():
         if name_of in ("scalars", "flights", "snare", *Limits._fields):
             continue
-        attribute = "count" if name_of == "frames_touching" else name_of
+        attribute = {"frames_touching": "count", "placed": "solids"}.get(name_of, name_of)
         (own,) = [
             array
             for owner in owners

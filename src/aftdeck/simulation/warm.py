@@ -75,7 +75,7 @@ def warm_up(scenario: Scenario) -> None:
         closing = replace(state.worksite.controls(), snare=Snare(motion="capture"))
         worksite, units = state.worksite, arm.model.units
         flight.site.capture.step(
-            closing, None, worksite.frames, worksite.watch.placed, flight.scenario.control_period, units
+            closing, None, worksite.frames, worksite.watch.place, flight.scenario.control_period, units
         )
     if flight.site.payloads:
         present_objective(flight.site, state.worksite)

@@ -46,7 +46,7 @@ def capture(
     elif site.capture is not None:
         controls = worksite.controls(pressed=inputs.effector is not None)
         moved = site.capture.step(
-            controls, worksite.held, worksite.frames, worksite.watch.placed, flight.scenario.control_period,
+            controls, worksite.held, worksite.frames, worksite.watch.place, flight.scenario.control_period,
             flight.scenario.arm.model.units,
         )  # fmt: skip
         if moved is not None:

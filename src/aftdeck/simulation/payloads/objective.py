@@ -25,7 +25,7 @@ def present_objective(site: Site, worksite: WorksiteState) -> Pursued:
         text = f"{fit.berth.verb} in the {fit.berth.title}"
         return Objective(fit.berth.verb, text), conditions_at(site, worksite, k, fit)
     device = site.capture
-    near = None if device is None else device.nearest(worksite.frames, worksite.watch.placed, NEAR)
+    near = None if device is None else device.nearest(worksite.frames, worksite.watch.place, NEAR)
     if device is None or near is None:
         return None, ()
     return Objective(device.action, f"{device.action} {site.payloads[near.payload].title}"), near.conditions
@@ -33,4 +33,4 @@ def present_objective(site: Site, worksite: WorksiteState) -> Pursued:
 
 def holding(site: Site, worksite: WorksiteState, k: int) -> tuple[Condition, ...]:
     """Return the conditions of capture for the present pose of payload k; () if this end effector cannot capture it."""
-    return () if site.capture is None else site.capture.conditions(worksite.frames, worksite.watch.placed, k)
+    return () if site.capture is None else site.capture.conditions(worksite.frames, worksite.watch.place, k)

@@ -40,6 +40,6 @@ def _related(site: Site, watch: ClearanceMonitor, frames: Array, meeting: Meetin
     """Return whether the two parts of a pair are in their relation."""
     k, device = meeting.payload, site.capture
     if device is not None and meeting.relation == device.relation:
-        return device.permits(frames, watch.placed, meeting)
+        return device.permits(frames, watch.place, meeting)
     fits = (fit for fit in site.fits[k] if fit.relation == meeting.relation)
-    return any(fit.permits(frames, site.payload_rows[k], watch.placed, meeting) for fit in fits)
+    return any(fit.permits(frames, site.payload_rows[k], watch.place, meeting) for fit in fits)

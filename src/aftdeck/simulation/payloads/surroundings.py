@@ -81,8 +81,8 @@ def _holds(site: Site, worksite: WorksiteState) -> list[Hold]:
             compose(site.scene, seated, pose)
             in_space = fit.row == site.space_row
             found.append(Hold(k, "space" if in_space else "orbiter", pose, give=fit.berth.gives))
-    device, placed = site.capture, worksite.watch.placed
-    touched = None if device is None else device.touched(worksite.controls(), worksite.held, worksite.frames, placed)
+    device, place = site.capture, worksite.watch.place
+    touched = None if device is None else device.touched(worksite.controls(), worksite.held, worksite.frames, place)
     if touched is not None:
         k, closed = touched
         found.append(Hold(k, "hand", pose_in_hand(site, worksite.frames, k), closed))

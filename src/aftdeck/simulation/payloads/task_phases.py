@@ -5,11 +5,11 @@ The task phase follows from the state of the payloads, not from an operator's co
 
 from __future__ import annotations
 
-from aftdeck.arrays import Array
 from aftdeck.simulation.constants.site import Site
 from aftdeck.simulation.log import Log
 from aftdeck.simulation.parts.worksite_state import WorksiteState
 from aftdeck.worksite.watch.bay import any_inside
+from aftdeck.worksite.watch.groups import Placing
 
 ACQUISITION, EXTRACTION, MANOEUVRING, DOCKED = 1, 2, 3, 4
 TASKS = {ACQUISITION: "acquisition", EXTRACTION: "extraction", MANOEUVRING: "manoeuvring", DOCKED: "docked"}
@@ -34,14 +34,11 @@ def task_of(site: Site, worksite: WorksiteState) -> int:
     berth = worksite.payloads[held].berth
     if berth and site.berth(berth).docks:
         return DOCKED
-    return EXTRACTION if in_bay(site, worksite.watch.placed, held) else MANOEUVRING
+    return EXTRACTION if in_bay(site, worksite.watch.place, held) else MANOEUVRING
 
 
-def in_bay(site: Site, placed: Array, k: int) -> bool:
-    """Return whether a vertex of a payload is inside the bay: below its top, between its walls. False without a bay.
-
-    `placed` are all solids in L.
-    """
+def in_bay(site: Site, place: Placing, k: int) -> bool:
+    """Return whether a vertex of a payload is inside the bay: below its top, between its walls. False without a bay."""
     if site.bay is None:
         return False
-    return any_inside(placed, site.bodies[k], site.scene, site.bay[0], site.bay[1])
+    return any_inside(place(site.bodies[k]), site.bodies[k], site.scene, site.bay[0], site.bay[1])

@@ -36,6 +36,7 @@ from aftdeck.worksite.conditions import Condition
 from aftdeck.worksite.payload import Payload
 from aftdeck.worksite.relation import Meeting
 from aftdeck.worksite.tables import Table, positive
+from aftdeck.worksite.watch.groups import Placing
 from aftdeck.worksite.watch.near import touch
 
 KEEL = "keel"
@@ -140,10 +141,12 @@ class GuidedFit(BayFit):
         off, trunnions = self.offset(frames, payload), self.trunnion_offsets(frames, payload)
         return (*in_guides(trunnions, self.guides), *ready_to_latch(trunnions, off, self.guides, self.tolerances))
 
-    def permits(self, frames: Array, payload: int, placed: Array, meeting: Meeting) -> bool:
+    def permits(self, frames: Array, payload: int, place: Placing, meeting: Meeting) -> bool:
         """Return whether every trunnion in contact is inside the mouth of its own V-guide."""
         found = self.trunnion_offsets(frames, payload)
-        return guided(found, *self._limits, placed, meeting.pairs, meeting.trunnions, meeting.depth)
+        return guided(
+            found, *self._limits, place(meeting.pairs.ravel()), meeting.pairs, meeting.trunnions, meeting.depth
+        )
 
     def trunnion_offsets(self, frames: Array, payload: int) -> Array:
         """Return the offsets (n, 4) of the payload's trunnions from their seats (`berthing.offsets`)."""

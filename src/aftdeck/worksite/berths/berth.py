@@ -29,6 +29,7 @@ from aftdeck.worksite.conditions import Condition
 from aftdeck.worksite.payload import Payload
 from aftdeck.worksite.relation import Meeting, Relation
 from aftdeck.worksite.tables import Placed, Text, positive
+from aftdeck.worksite.watch.groups import Placing
 
 Closes = Literal["by itself", "on command", "at release"]
 Verb = Literal["dock", "insert", "berth"]
@@ -194,13 +195,13 @@ class Fit(ABC):
         del frames, payload
         return False
 
-    def permits(self, frames: Array, payload: int, placed: Array, meeting: Meeting) -> bool:
+    def permits(self, frames: Array, payload: int, place: Placing, meeting: Meeting) -> bool:
         """Return whether the payload may touch the berth in its present pose.
 
         Args:
             frames: as for `conditions`.
             payload: as for `conditions`.
-            placed: (s, 52) all solids in L.
+            place: places solids.
             meeting: the two parts, which have the relation `relation`.
         """
         raise NotImplementedError

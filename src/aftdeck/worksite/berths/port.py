@@ -24,6 +24,7 @@ from aftdeck.worksite.conditions import Condition
 from aftdeck.worksite.payload import Payload, part_of
 from aftdeck.worksite.relation import Meeting
 from aftdeck.worksite.tables import positive
+from aftdeck.worksite.watch.groups import Placing
 
 DISC = 0.02
 """Thickness of the disc that marks a port [m]; half of it protrudes, and nothing collides with it."""
@@ -128,9 +129,9 @@ class PortFit(Fit):
         """Return whether the probe is farther from the port than the docking distance."""
         return bool(self._approach(frames, payload)[DISTANCE] > self.tolerances.distance)
 
-    def permits(self, frames: Array, payload: int, placed: Array, meeting: Meeting) -> bool:
+    def permits(self, frames: Array, payload: int, place: Placing, meeting: Meeting) -> bool:
         """Return whether the probe is in the docking envelope, and its face is within docking distance of the port."""
-        del placed
+        del place
         found, depth = self._approach(frames, payload), meeting.depth
         return bool(found[BEFORE] >= -depth and found[INSIDE] >= -depth and found[DISTANCE] <= self.tolerances.distance)
 

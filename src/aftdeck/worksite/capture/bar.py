@@ -27,6 +27,7 @@ from aftdeck.worksite.payload import part_of
 from aftdeck.worksite.relation import Meeting
 from aftdeck.worksite.report import Hand
 from aftdeck.worksite.tables import positive
+from aftdeck.worksite.watch.groups import Placing
 
 HEXES = ("palm", "fixed finger", "prong")
 """Parts of the end effector: HEX 1 to 3."""
@@ -91,38 +92,38 @@ class Bar(EndEffector):
         solids: Indices = self.bars[payload]
         return None if solids[0] < 0 else solids
 
-    def measured(self, placed: Array, payload: int) -> Array | None:
-        """Return the measures (9,) of `acquire` for a payload, with all solids at `placed`; None without a bar."""
+    def measured(self, place: Placing, payload: int) -> Array | None:
+        """Return the measures (9,) of `acquire` for a payload; None without a bar."""
         if (solids := self.solids(payload)) is None:
             return None
         found = np.empty(MEASURED)
-        acquire(placed, solids, self.packed, found)
+        acquire(place(solids), solids, self.packed, found)
         return found
 
-    def nearest(self, frames: Array, placed: Array, within: float) -> Nearest | None:
+    def nearest(self, frames: Array, place: Placing, within: float) -> Nearest | None:
         """Return the payload whose bar is nearest to the palm; None if no bar is nearer than `within` [m]."""
         del frames
         best = None
         for payload in range(len(self.bars)):
-            found = self.measured(placed, payload)
+            found = self.measured(place, payload)
             if found is not None and found[AWAY] < within:
                 best, within = (payload, found), float(found[AWAY])
         return None if best is None else Nearest(best[0], acquisition(best[1], self.tolerances))
 
-    def conditions(self, frames: Array, placed: Array, payload: int) -> tuple[Condition, ...]:
+    def conditions(self, frames: Array, place: Placing, payload: int) -> tuple[Condition, ...]:
         """Return the conditions of acquisition; () for a payload without a bar."""
         del frames
-        found = self.measured(placed, payload)
+        found = self.measured(place, payload)
         return () if found is None else acquisition(found, self.tolerances)
 
-    def permits(self, frames: Array, placed: Array, meeting: Meeting) -> bool:
+    def permits(self, frames: Array, place: Placing, meeting: Meeting) -> bool:
         """Return whether the bar is in front of the palm and between the fingers: conditions 1 to 3 of acquisition."""
         del frames
-        found = self.measured(placed, meeting.payload)
+        found = self.measured(place, meeting.payload)
         return found is not None and bool(min(found[PALM], found[FIXED], found[PRONG]) >= -meeting.depth)
 
     def step(
-        self, controls: Controls, held: int | None, frames: Array, placed: Array, period: float, units: Units
+        self, controls: Controls, held: int | None, frames: Array, place: Placing, period: float, units: Units
     ) -> Moved | None:
         """Return the payload that the fingers now capture or release.
 
@@ -133,7 +134,7 @@ class Bar(EndEffector):
         if held is not None:
             apart = self.fixed_finger - controls.prong > self.tolerances.spacing
             return Moved(held, controls.snare) if apart else None
-        payload = acquired_bar(placed, self.bars, self.packed)
+        payload = acquired_bar(place(self.bars[self.bars >= 0]), self.bars, self.packed)
         return None if payload < 0 else Moved(payload, controls.snare)
 
 

@@ -22,6 +22,7 @@ from aftdeck.worksite.payload import Payload
 from aftdeck.worksite.relation import Meeting, Relation
 from aftdeck.worksite.report import Motion
 from aftdeck.worksite.tables import Table, Text
+from aftdeck.worksite.watch.groups import Placing
 
 Acts = Literal[0, 1, 2]
 RESTS: Acts = 0
@@ -107,7 +108,7 @@ class Moved(msgspec.Struct, frozen=True):
 class EndEffector(ABC):
     """Constants of capture by one end effector at one worksite. The kinds add their conditions and contacts.
 
-    In the methods, `frames` (F, 12) are the poses of all frames in L, `placed` (s, 52) are all solids in L, and a
+    In the methods, `frames` (F, 12) are the poses of all frames in L, `place` places solids at these poses, and a
     payload is given by its index.
     """
 
@@ -122,15 +123,15 @@ class EndEffector(ABC):
     """Verb for capturing a payload."""
 
     @abstractmethod
-    def nearest(self, frames: Array, placed: Array, within: float) -> Nearest | None:
+    def nearest(self, frames: Array, place: Placing, within: float) -> Nearest | None:
         """Return the payload nearest to the end effector; None if no payload is nearer than `within` [m]."""
 
     @abstractmethod
-    def conditions(self, frames: Array, placed: Array, payload: int) -> tuple[Condition, ...]:
+    def conditions(self, frames: Array, place: Placing, payload: int) -> tuple[Condition, ...]:
         """Return the conditions of capture of a payload; () if this end effector cannot capture it."""
 
     @abstractmethod
-    def permits(self, frames: Array, placed: Array, meeting: Meeting) -> bool:
+    def permits(self, frames: Array, place: Placing, meeting: Meeting) -> bool:
         """Return whether payload and end effector, whose pair has the relation `relation`, may touch as they are."""
 
     def acts(self, controls: Controls) -> Acts:
@@ -140,7 +141,7 @@ class EndEffector(ABC):
 
     @abstractmethod
     def step(
-        self, controls: Controls, held: int | None, frames: Array, placed: Array, period: float, units: Units
+        self, controls: Controls, held: int | None, frames: Array, place: Placing, period: float, units: Units
     ) -> Moved | None:
         """Return the state after a step, and the payload that is now captured or released; None if nothing changes.
 
@@ -148,7 +149,7 @@ class EndEffector(ABC):
             controls: controls and state before the step.
             held: the payload in the grasp; None if the grasp is empty.
             frames: poses of all frames in L.
-            placed: all solids in L.
+            place: places solids.
             period: control period [s].
             units: the operator's units, for the log lines.
         """
@@ -163,12 +164,12 @@ class EndEffector(ABC):
         """
         raise NotImplementedError
 
-    def touched(self, controls: Controls, held: int | None, frames: Array, placed: Array) -> tuple[int, float] | None:
+    def touched(self, controls: Controls, held: int | None, frames: Array, place: Placing) -> tuple[int, float] | None:
         """Return the payload that the closing end effector touches, and how far it has closed; None if there is none.
 
         On a plant with masses, the payload is then held with this share of the full stiffness.
         """
-        del controls, held, frames, placed
+        del controls, held, frames, place
         return None
 
     def motion(self, controls: Controls) -> Motion | None:

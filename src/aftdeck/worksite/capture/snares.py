@@ -43,6 +43,7 @@ from aftdeck.worksite.draw_in import remaining
 from aftdeck.worksite.relation import Meeting
 from aftdeck.worksite.report import Hand, Motion
 from aftdeck.worksite.tables import positive
+from aftdeck.worksite.watch.groups import Placing
 
 InEffector = tuple[Vec3, Rows]
 """Position and rotation of a grapple fixture in the end effector's axes E."""
@@ -139,9 +140,9 @@ class Snares(EndEffector):
         position, turned = fixture
         return np.array([*position, *(value for row in turned for value in row)])
 
-    def nearest(self, frames: Array, placed: Array, within: float) -> Nearest | None:
+    def nearest(self, frames: Array, place: Placing, within: float) -> Nearest | None:
         """Return the payload whose fixture is nearest to the end effector; None if none is nearer than `within` [m]."""
-        del placed
+        del place
         best = None
         for payload in range(len(self.fixtures)):
             fixture = self.fixture(frames, payload)
@@ -149,18 +150,18 @@ class Snares(EndEffector):
                 best, within = (payload, fixture), away
         return None if best is None else Nearest(best[0], in_envelope(best[1], self.envelope))
 
-    def conditions(self, frames: Array, placed: Array, payload: int) -> tuple[Condition, ...]:
+    def conditions(self, frames: Array, place: Placing, payload: int) -> tuple[Condition, ...]:
         """Return the conditions of capture; () for a payload without a fixture."""
-        del placed
+        del place
         fixture = self.fixture(frames, payload)
         return () if fixture is None else in_envelope(fixture, self.envelope)
 
-    def permits(self, frames: Array, placed: Array, meeting: Meeting) -> bool:
+    def permits(self, frames: Array, place: Placing, meeting: Meeting) -> bool:
         """Return whether the pin is in the capture envelope, without a limit at the envelope's outer end.
 
         The snares reach beyond the outer end, and may touch the base of the fixture.
         """
-        del placed
+        del place
         if (fixture := self.fixture(frames, meeting.payload)) is None:
             return False
         (out, y, z), turned = fixture
@@ -178,7 +179,7 @@ class Snares(EndEffector):
         return MOVES if moves else RESTS
 
     def step(
-        self, controls: Controls, held: int | None, frames: Array, placed: Array, period: float, units: Units
+        self, controls: Controls, held: int | None, frames: Array, place: Placing, period: float, units: Units
     ) -> Moved | None:
         """Move the snares and the carriage by one step of CAPTURE, RELEASE or MAN CONTR."""
         before, payload = controls.snare, held
@@ -186,7 +187,7 @@ class Snares(EndEffector):
             return None
         command, conditions = snare_command(controls), tuple[Condition, ...]()
         closes = before.ring < 1.0 and "capture" in (command.trigger, before.motion)
-        if closes and held is None and (near := self.nearest(frames, placed, inf)) is not None:
+        if closes and held is None and (near := self.nearest(frames, place, inf)) is not None:
             payload, conditions = near
         snare, lines = advance(before, self.times, command, period, conditions, units)
         return Moved(payload if snare.captured == (held is None) else None, snare, lines)
@@ -201,12 +202,12 @@ class Snares(EndEffector):
         compose(pin, inverse(fixture), grasp)
         return grasp
 
-    def touched(self, controls: Controls, held: int | None, frames: Array, placed: Array) -> tuple[int, float] | None:
+    def touched(self, controls: Controls, held: int | None, frames: Array, place: Placing) -> tuple[int, float] | None:
         """Return the payload whose pin is in the capture envelope of closing snares, and how far they have closed."""
         snare = controls.snare
         if held is not None or snare.motion != "capture" or snare.ring >= 1.0:
             return None
-        near = self.nearest(frames, placed, inf)
+        near = self.nearest(frames, place, inf)
         return (near.payload, snare.ring) if near is not None and all_hold(near.conditions) else None
 
     def motion(self, controls: Controls) -> Motion | None:

@@ -48,7 +48,7 @@ from aftdeck.worksite.watch.measured import (
     lower_bounds,
     measure_group,
     measured_of,
-    place_solids,
+    place_which,
 )
 from aftdeck.worksite.watch.motion import motion, velocity
 
@@ -226,21 +226,6 @@ def shorten_list(layout: PackedLayout, own: Measured, active: Mask, counts: Mask
 
 
 @law
-def placed_all(
-    solids: Array,
-    frame: Indices,
-    pairs: Indices,
-    begins: Indices,
-    between_frames: Indices,
-    reach: Array,
-    arrays: MeasuredArrays,
-) -> None:
-    """Place all solids in L; the arguments are those of `watch`."""
-    layout = PackedLayout(solids, frame, pairs, begins, between_frames, reach)
-    place_solids(layout, measured_of(arrays), np.arange(len(frame)))
-
-
-@law
 def _fill(
     layout: PackedLayout, own: Measured, g: int, before: Array, now: Array, period: float, measures: Array
 ) -> None:
@@ -339,7 +324,12 @@ class ClearanceMonitor(Cache):
     @property
     def placed(self) -> Array:
         """The solids (n, 52) at the poses of the last measurement, in L."""
-        placed_all(*self.layout.packed, self.packed)
+        return self.place(self.layout.all_solids)
+
+    def place(self, which: Indices) -> Array:
+        """Place the solids `which` (k,) at the poses of the last measurement; return all solids, as in `Placing`."""
+        layout = self.layout
+        place_which(layout.solids, layout.frame, self.at, self.moves, self.placed_after, self.solids, which)
         return self.solids
 
     def forget(self) -> None:

@@ -7,7 +7,7 @@ with each solid of the second part. The clearance of a group is the least cleara
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterable, Sequence
+from collections.abc import Callable, Collection, Iterable, Sequence
 from functools import cached_property
 from itertools import product
 from typing import NamedTuple
@@ -23,6 +23,9 @@ from aftdeck.errors import InputError
 from aftdeck.matrices import lengths
 
 PartPair = tuple[str, str]
+Placing = Callable[[Indices], Array]
+"""Function that places solids, given by their indices, and returns all solids (n, 52): those placed are in L, where
+they are now; others may be where they were before."""
 
 POSE = 12
 """Number of values in a frame's pose: its origin [m], then its rotation row by row."""
@@ -73,6 +76,11 @@ class Layout(msgspec.Struct, frozen=True, eq=False, dict=True):
     def packed(self) -> PackedLayout:
         """Arrays that the laws read."""
         return PackedLayout(self.solids, self.frame, self.pairs, self.begins, self.between_frames, self.reach)
+
+    @cached_property
+    def all_solids(self) -> Indices:
+        """(n,) index of each solid."""
+        return np.arange(len(self.solids))
 
     def named(self, group: int) -> PartPair:
         """Return the names of the two parts of a group."""

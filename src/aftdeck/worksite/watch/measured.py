@@ -161,13 +161,29 @@ def lower_bounds(layout: PackedLayout, own: Measured) -> None:
 def place_solid(layout: PackedLayout, own: Measured, i: int) -> None:
     """Place solid i in L, unless it is placed at its frame's last pose."""
     f = layout.frame[i]
-    if own.placed_after[i] == own.moves[f]:
-        return
-    own.placed_after[i] = own.moves[f]
-    solid, at, placed = layout.solids[i], own.at[f], own.placed[i]
+    if own.placed_after[i] != own.moves[f]:
+        own.placed_after[i] = own.moves[f]
+        put_at(layout.solids[i], own.at[f], own.placed[i])
+
+
+@law
+def put_at(solid: Array, at: Array, placed: Array) -> None:
+    """Write a packed solid (52,) at a pose (12,) of its frame into `placed` (52,)."""
     place(solid, at, at[3:].reshape(3, 3), placed)
     put_vector(placed, CENTRE, plus(turned(at, vector_at(solid, CENTRE)), vector_at(at, 0)))
     placed[RADIUS] = solid[RADIUS]
+
+
+@law
+def place_which(
+    solids: Array, frame: Indices, at: Array, moves: Indices, placed_after: Indices, placed: Array, which: Indices
+) -> None:
+    """Place the solids `which` (k,) as `place_solids` does; the other arguments are those of layout and monitor."""
+    for i in which:
+        f = frame[i]
+        if placed_after[i] != moves[f]:
+            placed_after[i] = moves[f]
+            put_at(solids[i], at[f], placed[i])
 
 
 @law
