@@ -13,7 +13,7 @@ from aftdeck.errors import InputError
 from aftdeck.export.columns import Encoding
 from aftdeck.export.state import StateReader
 from aftdeck.gym.lerobot import TASKS, LerobotEnv, Vector, make_env
-from aftdeck.gym.mission.actions import inputs_of
+from aftdeck.gym.mission.actions import Rate, inputs_of
 
 SMALL = (32, 24)
 
@@ -70,7 +70,8 @@ def test_state_and_columns_are_those_of_a_dataset() -> None:
     rng = np.random.default_rng(0)
     for action in rng.uniform(-1.0, 1.0, (50, len(env.action_names))):
         row = encoding.completed(env.action_names, action[None])[0].tolist()
-        assert encoding.decode(row) == inputs_of(env.mission_env.mission, action.tolist())
+        before: Rate = "vernier" if action[6] > 0.0 else "coarse"
+        assert encoding.decode(row) == inputs_of(env.mission_env.mission, action.tolist(), before)
 
 
 def test_action_beyond_the_travel_is_full_deflection() -> None:

@@ -10,17 +10,16 @@ import pytest
 from msgspec.structs import replace
 
 from aftdeck.files import Where
-from aftdeck.plant.state import FOLLOWING
 from aftdeck.scenario.load import built_in, load_scenario
-from aftdeck.simulation import fly, step
+from aftdeck.simulation import fly, step, work
 from aftdeck.simulation.command_check import rehearsal
 from aftdeck.simulation.constants.flight import Flight
 from aftdeck.simulation.inputs import Inputs
-from aftdeck.simulation.period.contact import seen
+from aftdeck.simulation.log import Log
 from aftdeck.simulation.period.drive import driven
 from aftdeck.simulation.period.limit import limited
-from aftdeck.simulation.period.period import DRIVEN, OBSERVED, SEEN, UNCHANGED
-from aftdeck.simulation.period.quick import give, quick_step, take
+from aftdeck.simulation.period.period import DRIVEN, OBSERVED, UNCHANGED
+from aftdeck.simulation.period.quick import _take_flights, give, quick_step, take
 from aftdeck.simulation.row.now import Flat
 from aftdeck.simulation.row.scalars import BEGAN, MADE
 from aftdeck.simulation.run import Simulation
@@ -38,6 +37,7 @@ SWITCHES: tuple[dict[str, bool], ...] = tuple(
 """Switches that a test turns besides those of `random_inputs`."""
 RESTORES = 0.02
 """Share of the steps before which a state is saved and restored."""
+MOVE_WORKSITE = work._move_worksite
 LEAVES_SWITCHES = 0.9
 """Share of the steps in which only sticks move, where a test chooses them."""
 
@@ -54,13 +54,18 @@ def in_python(
     flat = Flat(*state.row.arrays(flight.packed))
     limited(flat, state.rules)
     state.row.scalars[BEGAN], state.row.scalars[MADE] = 0.0, 1.0
-    reached = DRIVEN
-    if driven(flat):
-        seen(flat, FOLLOWING)
-        reached = SEEN
-    take(flight, state, reached)
+    state.row.floats = driven(flat) and state.row.floats
+    take(flight, state, DRIVEN)
+    if state.row.floats:
+        _take_flights(state)
     assert state.panel.motion_began == began
-    return reached
+    return DRIVEN
+
+
+def move_the_rest(flight: Flight, state: State, log: Log, inputs: Inputs) -> None:
+    """Replace `_move_worksite`: move what floats, unless compiled code has moved it."""
+    if not state.row.floats:
+        MOVE_WORKSITE(flight, state, log, inputs)
 
 
 def digests(name: str, seed: int | None, steps: int) -> list[bytes]:
@@ -81,6 +86,7 @@ def test_compiled_steps_change_the_state_as_steps_in_python_do(
 ) -> None:
     compiled = digests(name, seed, STEPS)
     monkeypatch.setattr(fly, "quick_step", in_python)
+    monkeypatch.setattr(work, "_move_worksite", move_the_rest)
     monkeypatch.setattr(rehearsal, "_COMMANDED", STEPS * 1000)
     assert digests(name, seed, STEPS) == compiled
 

@@ -112,6 +112,16 @@ def along_axes(p: Vec3, r: Rows, point: Vec3, moving: Rows, turning: Rows) -> tu
 
 
 @law
+def motions_along(
+    p: Vec3, r: Rows, point: Vec3, twist: Six, moving: Rows, turning: Rows
+) -> tuple[Vec3, Vec3, Vec3, Vec3]:
+    """Return the results of `along_axes` and of `twist_along`; one call takes less time than two."""
+    to_go, rotation_to_go = along_axes(p, r, point, moving, turning)
+    velocity, rate = twist_along(twist, moving, turning)
+    return to_go, rotation_to_go, velocity, rate
+
+
+@law
 def twist_along(twist: Six, moving: Rows, turning: Rows) -> tuple[Vec3, Vec3]:
     """Return the components of a twist: velocity along the columns of `moving`, angular velocity along `turning`."""
     turn, move = (twist[0], twist[1], twist[2]), (twist[3], twist[4], twist[5])

@@ -55,8 +55,12 @@ def checked(given: object, controls: Sequence[Control]) -> list[float]:
     Raises:
         InputError: it has another shape, or a control is outside [-1, 1] or not a number.
     """
+    if type(given) is np.ndarray and given.dtype == np.float32 and given.shape == (len(controls),):
+        values: list[float] = given.tolist()
+        if all([-1.0 <= value <= 1.0 for value in values]):
+            return values
     actions = shaped(given, controls, 1)
     if error := outside(actions, controls):
         raise error
-    values: list[float] = actions[0].tolist()
-    return values
+    checked_values: list[float] = actions[0].tolist()
+    return checked_values

@@ -157,7 +157,7 @@ def _set_to_start(flight: Flight, state: State, start: Start) -> None:
     worksite.before[:] = frames
     worksite.monitored_before[:] = worksite.watch.active
     worksite.watch.update(frames, frames, scenario.control_period)
-    worksite.permitted[:] = permitted(site, worksite.watch, frames)
+    worksite.permitted[:] = permitted(flight, state, worksite.watch, frames)
     worksite.contacts.update(worksite.watch.found, worksite.watch.near, site.by_prong, worksite.task)
     count(flight, state)
     worksite.nearest = worksite.watch.nearest(worksite.watch.counts)

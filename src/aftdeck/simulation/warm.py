@@ -14,6 +14,7 @@ from aftdeck.bodies.placed import (
     inverted,
     matrix_product,
     motion_left,
+    motions_along,
     transposed,
     turned,
     twist_along,
@@ -90,6 +91,7 @@ def _guide(tip: Placed) -> None:
     motion, _, _ = motion_left(*tip, *tip, tip.position)
     along_axes(*motion, tip.position, tip.orientation, tip.orientation)
     twist_along((*tip.position, *tip.position), tip.orientation, tip.orientation)
+    motions_along(*motion, tip.position, (*tip.position, *tip.position), tip.orientation, tip.orientation)
     components(turned(tip.orientation, tip.position), tip.orientation)
 
 

@@ -6,7 +6,7 @@ import numpy as np
 
 from aftdeck.matrices import product
 from aftdeck.plant.plant import LEAST_PULSE
-from aftdeck.plant.state import Bodies, PlantState
+from aftdeck.plant.state import Bodies
 from aftdeck.simulation.constants.flight import Flight
 from aftdeck.simulation.inputs import Inputs
 from aftdeck.simulation.log import Log
@@ -25,7 +25,7 @@ from aftdeck.simulation.payloads.sliding import sliding_payload
 from aftdeck.simulation.payloads.surroundings import follow_bodies
 from aftdeck.simulation.payloads.task_phases import change_task, task_of
 from aftdeck.simulation.period.contact import contacts
-from aftdeck.simulation.period.period import JUDGED, SEEN
+from aftdeck.simulation.period.period import JUDGED
 from aftdeck.simulation.period.quick import inhibit_of, move_prong
 from aftdeck.simulation.row.scalars import (
     CHANGED,
@@ -56,12 +56,9 @@ def update_worksite(flight: Flight, state: State, log: Log, inputs: Inputs, reac
     hindered = int(state.row.values[HINDERED])
     if plant.bodies is None and (hindered != FREELY or worksite.orbiter_rejected):
         _log_hindrance(flight, worksite, log, hindered)
-    if reached < SEEN:
+    if reached < JUDGED:
         _move_worksite(flight, state, log, inputs)
         _update_contacts(flight, state)
-    elif reached == SEEN:
-        touching, changed = state.row.values[TOUCHING] != 0.0, state.row.values[CHANGED] != 0.0
-        _judge(flight, worksite, plant, state.panel.mode, touching=touching, changed=changed)
     else:
         worksite.contacts.inhibit = inhibit_of(state)
     log_contacts(site.layout, worksite, plant.bodies, log, flight.scenario.arm.model.units)
@@ -111,18 +108,16 @@ def _update_contacts(flight: Flight, state: State) -> None:
     contacts(state.row.arrays(flight.packed), plant.frames)
     values = state.row.values = scalars.tolist()
     worksite.nearest, worksite.watch.least = int(values[NEAREST]), values[LEAST]
-    touching, changed = values[TOUCHING] != 0.0, values[CHANGED] != 0.0
-    _judge(flight, worksite, plant, state.panel.mode, touching=touching, changed=changed)
+    _judge(flight, state, touching=values[TOUCHING] != 0.0, changed=values[CHANGED] != 0.0)
 
 
-def _judge(
-    flight: Flight, worksite: WorksiteState, plant: PlantState, mode: str, *, touching: bool, changed: bool
-) -> None:
+def _judge(flight: Flight, state: State, *, touching: bool, changed: bool) -> None:
     """Update which contacts belong to the task, and the inhibits that contacts cause."""
-    site, watch, counted = flight.site, worksite.watch, worksite.contacts
-    if touching or changed or (plant.bodies is not None and plant.bodies.touches):
-        worksite.permitted[:] = permitted(site, watch, worksite.frames)
-        sliding = sliding_payload(flight, worksite.held, mode)
+    site, worksite, bodies = flight.site, state.worksite, state.plant.bodies
+    counted = worksite.contacts
+    if touching or changed or (bodies is not None and bodies.touches):
+        worksite.permitted[:] = permitted(flight, state, worksite.watch, worksite.frames)
+        sliding = sliding_payload(flight, worksite.held, state.panel.mode)
         counted.essential[:] = site.essential_while(sliding, worksite.permitted)
     counted.judge(touching, changed, site.by_prong, worksite.task, inhibits=flight.inhibits)
 

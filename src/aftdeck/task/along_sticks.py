@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
-from aftdeck.bodies.placed import along_axes, twist_along
+from aftdeck.bodies.placed import along_axes, motions_along, twist_along
 from aftdeck.simulation.frame import Frame
 from aftdeck.simulation.readings.reading import Along
 from aftdeck.steering.mode import MODES
@@ -39,10 +39,9 @@ def along_sticks(remaining: Remaining, frame: Frame, axes: tuple[Rows, Rows]) ->
 
 def seen_along(frame: Frame, remaining: Remaining | None, axes: tuple[Rows, Rows]) -> Along:
     """Return what a policy sees of the motion, whatever the mode; arguments as for `along_sticks`."""
-    to_go = rotation_to_go = _NONE
-    if remaining is not None and remaining.motion is not None:
-        to_go, rotation_to_go = along_axes(*remaining.motion, frame.resolution, *axes)
-    return Along(to_go, rotation_to_go, *twist_along(frame.twist, *axes))
+    if remaining is None or remaining.motion is None:
+        return Along(_NONE, _NONE, *twist_along(frame.twist, *axes))
+    return Along(*motions_along(*remaining.motion, frame.resolution, frame.twist, *axes))
 
 
 _NONE = (0.0, 0.0, 0.0)

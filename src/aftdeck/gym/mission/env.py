@@ -151,7 +151,7 @@ class MissionEnv(ShownEnv):
         if not self._begun:
             raise InputError("step: got a call before the first reset, expected reset() first")
         values = checked(clipped(action) if self._clips else action, self.mission.controls)
-        inputs = inputs_of(self.mission, values)
+        inputs = inputs_of(self.mission, values, self._sim.look().rate)
         if self.station is None and self.stepped is None:
             self._sim.hold(inputs, self._repeats)
         else:

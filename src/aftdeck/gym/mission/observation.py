@@ -10,6 +10,7 @@ from aftdeck.arrays import Array
 from aftdeck.gym.aligned import AlignedFloats
 from aftdeck.gym.mission.definition import observations
 from aftdeck.gym.terms import Floats32, observation_space
+from aftdeck.law import law
 from aftdeck.scenario.model import Scenario
 from aftdeck.scene.stick_axes import StickAxes
 from aftdeck.simulation.frame import Frame
@@ -17,6 +18,13 @@ from aftdeck.simulation.readings.reading import Known, Reading
 from aftdeck.simulation.readings.table import named
 from aftdeck.task.along_sticks import seen_along
 from aftdeck.task.remaining import Remaining
+
+
+@law
+def normalise(values: Array, zero: Array, one: Array, low: Array, high: Array, observation: Floats32) -> None:
+    """Write (values - zero) / one, within the limits `low` and `high`, into an observation; all arrays are (n,)."""
+    for i in range(len(values)):
+        observation[i] = min(max((values[i] - zero[i]) / one[i], low[i]), high[i])
 
 
 class Observer:
@@ -55,12 +63,8 @@ class Observer:
         """
         known = Known(frame, self._scenario, along=seen_along(frame, left, self._sticks.in_l(frame)))
         values = np.array([value for reading in self._readings for value in reading.values(known)], np.float64)
-        values -= self._zero
-        values /= self._one
-        np.maximum(values, self._low, out=values)
-        np.minimum(values, self._high, out=values)
         observation = self._arrays.new()
-        observation[:] = values
+        normalise(values, self._zero, self._one, self._low, self._high, observation)
         return observation
 
     @cached_property

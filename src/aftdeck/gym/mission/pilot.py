@@ -63,7 +63,7 @@ class MissionPilot:
         if frame.tick >= self._until:
             left = self._aims.remaining(frame, self._step)
             action = self._policy.act(self._observer.of(frame, left)).tolist()
-            self._inputs, self._until = inputs_of(self._mission, action), frame.tick + self._repeats
+            self._inputs, self._until = inputs_of(self._mission, action, frame.rate), frame.tick + self._repeats
         return self._inputs
 
     def _is_near(self, frame: Frame) -> bool:

@@ -114,7 +114,7 @@ def look_ahead(flight: Flight, state: State, seconds: float, last: Axis | None =
         angles = steering[ANGLES : ANGLES + joints]
         frames = frames_at(site, worksite, state.plant, angles, height, worksite.prong.position)
         watch.look_near(frames, frames, period, site.detrimental, 0.0)
-        may = permitted(site, watch, frames)
+        may = permitted(flight, state, watch, frames)
         # a pair that is aligned now is not tested: its parts will be docked or latched before they penetrate deeply;
         # a payload that is docked moves no further
         docked = docked or bool((watch.found[port, CLEARANCE] <= CONTACT).any())

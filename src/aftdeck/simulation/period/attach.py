@@ -7,9 +7,10 @@ from math import sqrt
 import numpy as np
 
 from aftdeck.arrays import Array
-from aftdeck.bodies.pose import POSE, compose, turned
+from aftdeck.bodies.pose import turned
 from aftdeck.bodies.vector import plus, vector_at
 from aftdeck.law import large_law, law
+from aftdeck.simulation.payloads.relations import approached
 from aftdeck.simulation.payloads.task_phases import ACQUISITION, DOCKED, EXTRACTION, MANOEUVRING
 from aftdeck.simulation.row.aligning import Aligning, aligning_of
 from aftdeck.simulation.row.now import Flat, Motion, monitor_of, motion_of, watch_of
@@ -27,8 +28,8 @@ from aftdeck.simulation.row.scalars import (
     TASK,
     WORKS,
 )
-from aftdeck.simulation.row.world import ENVELOPE, MOST, MOST_ANGLE, ONLY_Y, PORT, TIP, World, pairs_of, world_of
-from aftdeck.worksite.berths.docking import BEFORE, DISTANCE, FOUND, INSIDE, TURNED, approach
+from aftdeck.simulation.row.world import MOST, MOST_ANGLE, ONLY_Y, World, pairs_of, world_of
+from aftdeck.worksite.berths.docking import BEFORE, DISTANCE, FOUND, INSIDE, TURNED
 from aftdeck.worksite.berths.on_way import NEAR
 from aftdeck.worksite.capture.acquisition import acquired_bar
 from aftdeck.worksite.capture.effector import BEGINS, MOVES
@@ -127,11 +128,8 @@ def _pin_inside(world: World, aligning: Aligning, now: Motion) -> bool:
 @law
 def docks(world: World, now: Motion, held: int, berth: int) -> bool:
     """Return whether the conditions of docking hold for the held payload at a port (`berths.docking`)."""
-    port, found, at = world.ports[berth], np.empty(FOUND), np.empty(POSE)
-    compose(now.frames[world.berths[berth]], port[PORT:ENVELOPE], at)
-    probe = world.probes[world.probe_begins[berth] : world.probe_begins[berth + 1]]
-    planes = port[ENVELOPE:TIP].reshape(5, 4)
-    approach(probe, port[TIP:MOST], now.frames[world.rows[held]], at, planes, found)
+    port, found = world.ports[berth], np.empty(FOUND)
+    approached(world, now.frames, held, berth, found)
     angle = found[TURNED + 1]
     if port[ONLY_Y] == 0.0:
         angle = max(found[TURNED], angle, found[TURNED + 2])

@@ -5,9 +5,11 @@ from __future__ import annotations
 import numpy as np
 
 from aftdeck.arrays import Array
-from aftdeck.bodies.pair import CONTACT, PAIR
+from aftdeck.bodies.pair import PAIR
 from aftdeck.law import large_law, law
 from aftdeck.lent import lend
+from aftdeck.simulation.payloads.relations import permit
+from aftdeck.simulation.row.aligning import aligning_of
 from aftdeck.simulation.row.now import Arrays, Flat, lent, monitor_of, motion_of, watch_of
 from aftdeck.simulation.row.scalars import (
     ARM,
@@ -133,20 +135,16 @@ def still_clear(flat: Flat, bound: float, within: float) -> bool:
 
 
 @large_law
-def judged(flat: Flat) -> bool:
-    """Write the inhibits; return False if a pair of the task is in contact, whose relation has to be tested first."""
+def judged(flat: Flat) -> None:
+    """Find the contacts that the task permits, and write the inhibits that the others cause."""
     world, now, watch = world_of(flat), motion_of(flat), watch_of(flat)
     v = now.scalars
     if v[TOUCHING] != 0.0 or v[CHANGED] != 0.0:
-        for m in range(len(world.meetings)):
-            if watch.found[world.meetings[m], CLEARANCE] <= CONTACT:
-                return False
+        permit(world, aligning_of(flat), pairs_of(flat), monitor_of(watch), now.frames, watch.permitted)
         held, slides = int(v[HELD]), v[SLIDES] != 0.0
         for g in range(len(watch.permitted)):
-            watch.permitted[g] = world.task[g]
-            watch.essential[g] = world.task[g] | world.slides[held, g] if slides else world.task[g]
+            watch.essential[g] = watch.permitted[g] | world.slides[held, g] if slides else watch.permitted[g]
     v[ARM] = v[FINGER] = 0.0
     if v[TOUCHING] != 0.0 and world.constants[INHIBITS] != 0.0:
         arm, finger = two_frames(watch.frames_touching, watch.essential, watch.arm, world.by_prong, int(v[TASK]))
         v[ARM], v[FINGER] = 1.0 if arm else 0.0, 1.0 if finger else 0.0
-    return True

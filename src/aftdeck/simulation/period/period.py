@@ -33,8 +33,9 @@ from aftdeck.simulation.row.scalars import (
 )
 from aftdeck.worksite.watch.found import CLEARANCE
 
-STEERED, DRIVEN, SEEN, JUDGED, ATTACHED, COUNTED, OBSERVED, UNCHANGED = range(8)
-"""How far a control period has come: see `advance`. `STEERED`: Python code has steered, on a plant with masses."""
+STEERED, DRIVEN, MOVED, JUDGED, ATTACHED, COUNTED, OBSERVED, UNCHANGED = range(8)
+"""How far a control period has come: see `advance`. `STEERED`: Python code has steered, on a plant with masses. No
+step ends at `MOVED`."""
 FARTHEST = 1e300
 """Minimum clearance if no pair counts [m]."""
 
@@ -61,11 +62,10 @@ def advance(
         most: greatest number of steps, all with the same commands; `MADE` is the number that were made.
 
     Returns:
-        How far the last step has come. `DRIVEN`: something may touch a floating payload; all else has moved. `SEEN`:
-        contacts are counted, but a pair of the task is in contact. `JUDGED`: something may be captured, fixed or
-        released. `ATTACHED`: the step is complete, except for what `observes` asks for. `COUNTED`: the telescope has
-        moved the arm, which has to be observed. `OBSERVED`: the step is complete. `UNCHANGED`: it has also changed
-        nothing that the log or the panel shows.
+        How far the last step has come. `DRIVEN`: something may touch a floating payload; all else has moved.
+        `JUDGED`: something may be captured, fixed or released. `ATTACHED`: the step is complete, except for what
+        `observes` asks for. `COUNTED`: the telescope has moved the arm, which has to be observed. `OBSERVED`: the step
+        is complete. `UNCHANGED`: it has also changed nothing that the log or the panel shows.
     """
     flat = lent(arrays)
     rules, resting, links, sticks = lend(rules), lend(resting), lend(links), lend(sticks)
@@ -85,7 +85,7 @@ def advance(
 def complete(flat: Flat, rules: Array, resting: Array, links: Array, sticks: Array, observes: bool) -> int:
     """Make a control step, as far as compiled code can; the arguments and the result are those of `advance`."""
     reached = moved(flat, rules, resting)
-    if reached < SEEN:
+    if reached < MOVED:
         return reached
     seen(flat, np.empty((0, POSE)))
     reached = settled(flat)
@@ -118,14 +118,13 @@ def shows(v: Array, found: Array, task: float) -> bool:
 
 @law
 def moved(flat: Flat, rules: Array, resting: Array) -> int:
-    """Steer and move; return `DRIVEN` as `advance` does, or `SEEN` if contacts can be counted."""
+    """Steer and move; return `DRIVEN` as `advance` does, or `MOVED` if contacts can be counted."""
     steered(flat, rules, resting)
-    return SEEN if driven(flat) else DRIVEN
+    return MOVED if driven(flat) else DRIVEN
 
 
 @law
 def settled(flat: Flat) -> int:
-    """Judge the contacts and what is captured or fixed; return `SEEN`, `JUDGED` or `ATTACHED` as `advance` does."""
-    if not judged(flat):
-        return SEEN
+    """Judge the contacts and what is captured or fixed; return `JUDGED` or `ATTACHED` as `advance` does."""
+    judged(flat)
     return JUDGED if attached(flat) else ATTACHED

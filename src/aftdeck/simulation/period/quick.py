@@ -8,7 +8,7 @@ from aftdeck.simulation.parts.worksite_state import DRIVES, Halt
 from aftdeck.simulation.payloads.jets import translation_rejection
 from aftdeck.simulation.payloads.sliding import sliding_payload
 from aftdeck.simulation.period.limit import limit
-from aftdeck.simulation.period.period import COUNTED, OBSERVED, SEEN, advance
+from aftdeck.simulation.period.period import COUNTED, JUDGED, OBSERVED, advance
 from aftdeck.simulation.period.prong import close_or_open
 from aftdeck.simulation.row.scalars import (
     ALIGNED,
@@ -119,7 +119,7 @@ def take(flight: Flight, state: State, reached: int) -> None:
         state.panel.motion_began = state.tick - 1
     plant.stand.position, plant.stand.velocity = values[STAND], values[STAND_VELOCITY]
     worksite.prong.position, worksite.prong.velocity = values[PRONG_AT], values[PRONG_VELOCITY]
-    if reached < SEEN and not several:
+    if reached < JUDGED and not several:
         return
     if state.row.floats:
         _take_flights(state)

@@ -10,7 +10,7 @@ from aftdeck.kinematics.solver import nearest_singularity
 from aftdeck.law import law
 from aftdeck.lent import lend
 from aftdeck.simulation.period.contact import bounded, measured, placed, still_clear
-from aftdeck.simulation.period.period import ATTACHED, SEEN, moved, settled
+from aftdeck.simulation.period.period import ATTACHED, MOVED, moved, settled
 from aftdeck.simulation.row.now import Arrays, lent, motion_of
 from aftdeck.simulation.row.scalars import (
     ARM,
@@ -80,7 +80,7 @@ def rehearsed(
         if report[ARRIVED] != 0.0 or report[RATIO] < STANDSTILL or passes:
             return
         reached = moved(flat, rules, resting)
-        if reached == SEEN:
+        if reached == MOVED:
             placed(flat, true)
             if always or not still_clear(flat, bound, within):
                 measured(flat, within)

@@ -40,6 +40,9 @@ class Aligning(NamedTuple):
         relations: (m,) `Meeting.relation`, as its number in `RELATIONS`.
         fits: (b,) `Fit.relation`, as its number; -1 for none.
         guides: (b + 1,) index of each berth's first trunnion.
+        meeting_begins: (m + 1,) index of each meeting's first pair of solids in the two fields that follow.
+        meeting_pairs: (p, 2) `Meeting.pairs` of all meetings with trunnions.
+        meeting_trunnions: (p,) `Meeting.trunnions`.
         seated: (b, g) `Site.seated`.
         grasped: (c, g) `Site.held`.
     """
@@ -59,13 +62,17 @@ class Aligning(NamedTuple):
     relations: Indices
     fits: Indices
     guides: Indices
+    meeting_begins: Indices
+    meeting_pairs: Indices
+    meeting_trunnions: Indices
     seated: Mask
     grasped: Mask
 
 
 RELATIONS: tuple[Relation, ...] = get_args(Relation)
+ACQUISITION, CAPTURE = RELATIONS.index("acquisition"), RELATIONS.index("capture")
 DOCKING, GUIDES = RELATIONS.index("docking"), RELATIONS.index("guides")
-ALIGNING_NUMBERS, ALIGNING_INDICES, ON_WAY = 11, 4, 1
+ALIGNING_NUMBERS, ALIGNING_INDICES, ON_WAY = 11, 7, 1
 """Number of fields that are float64 and int64; index of `on_way` among the fields."""
 
 
@@ -98,6 +105,11 @@ def aligning_arrays(flight: Flight) -> Aligning:
         np.array([RELATIONS.index(meeting.relation) for meeting in site.meetings], np.int64),
         np.array([-1 if fit.relation is None else RELATIONS.index(fit.relation) for *_, fit in fits], np.int64),
         np.cumsum([0, *(len(trunnions) for trunnions, _ in guided)], dtype=np.int64),
+        np.cumsum([0, *(len(meeting.trunnions) for meeting in site.meetings)], dtype=np.int64),
+        np.array(
+            [pair for meeting in site.meetings if len(meeting.trunnions) for pair in meeting.pairs.tolist()], np.int64
+        ).reshape(-1, 2),
+        np.array([t for meeting in site.meetings for t in meeting.trunnions.tolist()], np.int64),
         np.array([site.seated[k, fit.berth.name] for k, fit in fits], np.uint8).reshape(len(fits), groups),
         np.array(site.held, np.uint8).reshape(len(site.held), groups),
     )
@@ -114,5 +126,6 @@ def aligning_of(flat: Flat) -> Aligning:
         block(numbers, own, n + 4), line(numbers, own, n + 5), line(numbers, own, n + 6), line(numbers, own, n + 7),
         line(numbers, own, n + 8), line(numbers, own, n + 9), line(numbers, own, n + 10),
         line(rest, whole, i), line(rest, whole, i + 1), line(rest, whole, i + 2), line(rest, whole, i + 3),
+        line(rest, whole, i + 4), block(rest, whole, i + 5), line(rest, whole, i + 6),
         block(marks, flags, f), block(marks, flags, f + 1),
     )  # fmt: skip

@@ -34,9 +34,7 @@ from aftdeck.worksite.berths.berthing import (
 from aftdeck.worksite.body import Body
 from aftdeck.worksite.conditions import Condition
 from aftdeck.worksite.payload import Payload
-from aftdeck.worksite.relation import Meeting
 from aftdeck.worksite.tables import Table, positive
-from aftdeck.worksite.watch.groups import Placing
 from aftdeck.worksite.watch.near import touch
 
 KEEL = "keel"
@@ -141,24 +139,11 @@ class GuidedFit(BayFit):
         off, trunnions = self.offset(frames, payload), self.trunnion_offsets(frames, payload)
         return (*in_guides(trunnions, self.guides), *ready_to_latch(trunnions, off, self.guides, self.tolerances))
 
-    def permits(self, frames: Array, payload: int, place: Placing, meeting: Meeting) -> bool:
-        """Return whether every trunnion in contact is inside the mouth of its own V-guide."""
-        found = self.trunnion_offsets(frames, payload)
-        return guided(
-            found, *self._limits, place(meeting.pairs.ravel()), meeting.pairs, meeting.trunnions, meeting.depth
-        )
-
     def trunnion_offsets(self, frames: Array, payload: int) -> Array:
         """Return the offsets (n, 4) of the payload's trunnions from their seats (`berthing.offsets`)."""
         found = np.empty((len(self.trunnions), OFFSET))
         offsets(frames[self.row], frames[payload], self.trunnions, self.guides.seats, self.guides.axes, found)
         return found
-
-    @property
-    def _limits(self) -> tuple[Array, Array, Array, Array]:
-        """Arguments of the laws about guides: opening, throat, height, play."""
-        guides = self.guides
-        return guides.opening, guides.throat, guides.height, guides.play
 
 
 @law

@@ -27,9 +27,8 @@ from aftdeck.units import Angle, Length, Time
 from aftdeck.worksite.body import Body, Frame
 from aftdeck.worksite.conditions import Condition
 from aftdeck.worksite.payload import Payload
-from aftdeck.worksite.relation import Meeting, Relation
+from aftdeck.worksite.relation import Relation
 from aftdeck.worksite.tables import Placed, Text, positive
-from aftdeck.worksite.watch.groups import Placing
 
 Closes = Literal["by itself", "on command", "at release"]
 Verb = Literal["dock", "insert", "berth"]
@@ -194,17 +193,6 @@ class Fit(ABC):
         """
         del frames, payload
         return False
-
-    def permits(self, frames: Array, payload: int, place: Placing, meeting: Meeting) -> bool:
-        """Return whether the payload may touch the berth in its present pose.
-
-        Args:
-            frames: as for `conditions`.
-            payload: as for `conditions`.
-            place: places solids.
-            meeting: the two parts, which have the relation `relation`.
-        """
-        raise NotImplementedError
 
     @cached_property
     def way_out(self) -> Array:

@@ -18,13 +18,11 @@ from aftdeck.matrices import product
 from aftdeck.shapes import Cylinder, Material, Shape
 from aftdeck.units import Length
 from aftdeck.worksite.berths.berth import Berth, BerthTable, Closes, Fit, Verb, place_of
-from aftdeck.worksite.berths.docking import BEFORE, DISTANCE, FOUND, INSIDE, DockingTolerances, approach, docking
+from aftdeck.worksite.berths.docking import DISTANCE, FOUND, DockingTolerances, approach, docking
 from aftdeck.worksite.body import Body
 from aftdeck.worksite.conditions import Condition
 from aftdeck.worksite.payload import Payload, part_of
-from aftdeck.worksite.relation import Meeting
 from aftdeck.worksite.tables import positive
-from aftdeck.worksite.watch.groups import Placing
 
 DISC = 0.02
 """Thickness of the disc that marks a port [m]; half of it protrudes, and nothing collides with it."""
@@ -128,12 +126,6 @@ class PortFit(Fit):
     def has_left(self, frames: Array, payload: int) -> bool:
         """Return whether the probe is farther from the port than the docking distance."""
         return bool(self._approach(frames, payload)[DISTANCE] > self.tolerances.distance)
-
-    def permits(self, frames: Array, payload: int, place: Placing, meeting: Meeting) -> bool:
-        """Return whether the probe is in the docking envelope, and its face is within docking distance of the port."""
-        del place
-        found, depth = self._approach(frames, payload), meeting.depth
-        return bool(found[BEFORE] >= -depth and found[INSIDE] >= -depth and found[DISTANCE] <= self.tolerances.distance)
 
     @property
     def _outwards(self) -> Array:

@@ -12,10 +12,7 @@ from aftdeck.arrays import Array, Indices
 from aftdeck.units import Length
 from aftdeck.worksite.capture.acquisition import (
     AWAY,
-    FIXED,
     MEASURED,
-    PALM,
-    PRONG,
     Tolerances,
     acquire,
     acquired_bar,
@@ -24,7 +21,6 @@ from aftdeck.worksite.capture.acquisition import (
 from aftdeck.worksite.capture.effector import CaptureTable, Controls, EndEffector, MadeFor, Moved, Nearest
 from aftdeck.worksite.conditions import Condition, Units
 from aftdeck.worksite.payload import part_of
-from aftdeck.worksite.relation import Meeting
 from aftdeck.worksite.report import Hand
 from aftdeck.worksite.tables import positive
 from aftdeck.worksite.watch.groups import Placing
@@ -84,7 +80,6 @@ class Bar(EndEffector):
     bars: Indices
     fixed_finger: float
 
-    relation: ClassVar[Literal["acquisition"]] = "acquisition"
     action: ClassVar[Literal["acquire", "capture"]] = "acquire"
 
     def solids(self, payload: int) -> Indices | None:
@@ -115,12 +110,6 @@ class Bar(EndEffector):
         del frames
         found = self.measured(place, payload)
         return () if found is None else acquisition(found, self.tolerances)
-
-    def permits(self, frames: Array, place: Placing, meeting: Meeting) -> bool:
-        """Return whether the bar is in front of the palm and between the fingers: conditions 1 to 3 of acquisition."""
-        del frames
-        found = self.measured(place, meeting.payload)
-        return found is not None and bool(min(found[PALM], found[FIXED], found[PRONG]) >= -meeting.depth)
 
     def step(
         self, controls: Controls, held: int | None, frames: Array, place: Placing, period: float, units: Units

@@ -19,7 +19,6 @@ from aftdeck.worksite.capture.snare import Snare
 from aftdeck.worksite.conditions import Condition, Units
 from aftdeck.worksite.log_line import LogLine
 from aftdeck.worksite.payload import Payload
-from aftdeck.worksite.relation import Meeting, Relation
 from aftdeck.worksite.report import Motion
 from aftdeck.worksite.tables import Table, Text
 from aftdeck.worksite.watch.groups import Placing
@@ -117,8 +116,6 @@ class EndEffector(ABC):
     rows: tuple[int, ...]
     """Rows of the payloads' frames."""
 
-    relation: ClassVar[Relation]
-    """Relation in which the payload may touch the end effector."""
     action: ClassVar[Literal["acquire", "capture"]]
     """Verb for capturing a payload."""
 
@@ -129,10 +126,6 @@ class EndEffector(ABC):
     @abstractmethod
     def conditions(self, frames: Array, place: Placing, payload: int) -> tuple[Condition, ...]:
         """Return the conditions of capture of a payload; () if this end effector cannot capture it."""
-
-    @abstractmethod
-    def permits(self, frames: Array, place: Placing, meeting: Meeting) -> bool:
-        """Return whether payload and end effector, whose pair has the relation `relation`, may touch as they are."""
 
     def acts(self, controls: Controls) -> Acts:
         """Return what the controls do to the end effector in this step."""

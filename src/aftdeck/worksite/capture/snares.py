@@ -27,7 +27,7 @@ from aftdeck.worksite.capture.effector import (
     Moved,
     Nearest,
 )
-from aftdeck.worksite.capture.grapple import CaptureEnvelope, around_axis, in_envelope
+from aftdeck.worksite.capture.grapple import CaptureEnvelope, in_envelope
 from aftdeck.worksite.capture.snare import (
     Part,
     Snare,
@@ -40,7 +40,6 @@ from aftdeck.worksite.capture.snare import (
 )
 from aftdeck.worksite.conditions import Condition, Units, all_hold
 from aftdeck.worksite.draw_in import remaining
-from aftdeck.worksite.relation import Meeting
 from aftdeck.worksite.report import Hand, Motion
 from aftdeck.worksite.tables import positive
 from aftdeck.worksite.watch.groups import Placing
@@ -123,7 +122,6 @@ class Snares(EndEffector):
     times: SnareTimes
     fixtures: tuple[Array | None, ...]
 
-    relation: ClassVar[Literal["capture"]] = "capture"
     action: ClassVar[Literal["acquire", "capture"]] = "capture"
 
     def fixture(self, frames: Array, payload: int) -> InEffector | None:
@@ -155,18 +153,6 @@ class Snares(EndEffector):
         del place
         fixture = self.fixture(frames, payload)
         return () if fixture is None else in_envelope(fixture, self.envelope)
-
-    def permits(self, frames: Array, place: Placing, meeting: Meeting) -> bool:
-        """Return whether the pin is in the capture envelope, without a limit at the envelope's outer end.
-
-        The snares reach beyond the outer end, and may touch the base of the fixture.
-        """
-        del place
-        if (fixture := self.fixture(frames, meeting.payload)) is None:
-            return False
-        (out, y, z), turned = fixture
-        before = bool(out >= self.envelope.nearest - meeting.depth)
-        return before and around_axis(self.envelope.packed, y, z, turned, 1.0)
 
     def acts(self, controls: Controls) -> Acts:
         """Return whether snares or carriage begin to move, or go on."""
