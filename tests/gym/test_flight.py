@@ -114,9 +114,28 @@ def test_shipped_policy_of_reach_succeeds_in_95_percent_of_episodes() -> None:
 
 
 @pytest.mark.slow
-def test_shipped_policy_of_capture_captures_the_payload() -> None:
-    policy = load_policy(SHIPPED / "capture.npz")
+@pytest.mark.parametrize("name", ["capture", "capture_ppo", "extract", "dock"])
+def test_shipped_policy_flies_its_step_of_the_scenario(name: str) -> None:
+    policy = load_policy(SHIPPED / f"{name}.npz")
     scenario = scenario_of_policy(policy, None, 0, None)
     done = aftdeck.run(scenario, inputs=pilot_of_policy(policy, scenario)(), keep_frames=True)
     assert done.frames is not None
-    assert any(cargo.held for cargo in done.frames[-1].work.cargo)
+    (cargo,) = done.frames[-1].work.cargo
+    assert cargo.held
+    assert cargo.seat == ("port" if name == "dock" else "" if name == "extract" else "bay")
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("name", ["capture_ppo", "extract", "dock"])
+def test_shipped_policy_succeeds_in_95_percent_of_episodes(name: str) -> None:
+    policy, episodes = load_policy(SHIPPED / f"{name}.npz"), 40
+    env = gymnasium.make(policy.environment)
+    succeeded = 0
+    for episode in range(episodes):
+        observation, info = env.reset(seed=5_000_000 + episode)
+        over = False
+        while not over:
+            observation, _, terminated, truncated, info = env.step(policy.act(observation))
+            over = terminated or truncated
+        succeeded += info["is_success"]
+    assert succeeded >= 0.95 * episodes
