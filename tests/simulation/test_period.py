@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 from msgspec.structs import replace
 
+from aftdeck.arrays import Array
 from aftdeck.files import Where
 from aftdeck.scenario.load import built_in, load_scenario
 from aftdeck.simulation import fly, step, work
@@ -16,14 +17,15 @@ from aftdeck.simulation.command_check import rehearsal
 from aftdeck.simulation.constants.flight import Flight
 from aftdeck.simulation.inputs import Inputs
 from aftdeck.simulation.log import Log
+from aftdeck.simulation.period import quick
+from aftdeck.simulation.period.contact import judged, seen
 from aftdeck.simulation.period.drive import driven
-from aftdeck.simulation.period.limit import limited
-from aftdeck.simulation.period.period import DRIVEN, OBSERVED, UNCHANGED
-from aftdeck.simulation.period.quick import _take_flights, give, quick_step, take
-from aftdeck.simulation.row.now import Flat
+from aftdeck.simulation.period.period import DRIVEN, JUDGED, OBSERVED, UNCHANGED
+from aftdeck.simulation.row.now import Arrays, Flat
 from aftdeck.simulation.row.scalars import BEGAN, MADE
 from aftdeck.simulation.run import Simulation
 from aftdeck.simulation.state import State
+from aftdeck.steering.layout import MOTION_ACTIVE
 from aftdeck.steering.mode import MODES
 from tests.simulation.flights import random_inputs
 
@@ -37,35 +39,47 @@ SWITCHES: tuple[dict[str, bool], ...] = tuple(
 """Switches that a test turns besides those of `random_inputs`."""
 RESTORES = 0.02
 """Share of the steps before which a state is saved and restored."""
-MOVE_WORKSITE = work._move_worksite
 LEAVES_SWITCHES = 0.9
 """Share of the steps in which only sticks move, where a test chooses them."""
 
 
-def in_python(
-    flight: Flight, state: State, inputs: Inputs, *, observes: bool, most: int = 1, goes_on: bool = False
-) -> int:
-    """Replace `quick_step`: steer in Python, move by laws, and leave the rest of the step to Python."""
-    del observes, most
-    assert not goes_on
-    fly._steer(state)
-    began = state.panel.motion_began
-    give(flight, state, inputs)
-    flat = Flat(*state.row.arrays(flight.packed))
-    limited(flat, state.rules)
-    state.row.scalars[BEGAN], state.row.scalars[MADE] = 0.0, 1.0
-    state.row.floats = driven(flat) and state.row.floats
-    take(flight, state, DRIVEN)
-    if state.row.floats:
-        _take_flights(state)
-    assert state.panel.motion_began == began
-    return DRIVEN
+class InPython:
+    """A step that compiled code leaves to Python as early as it can."""
 
+    def __init__(self, monkeypatch: pytest.MonkeyPatch) -> None:
+        self._drifted, self._move_worksite = False, work._move_worksite
+        monkeypatch.setattr(fly, "quick_step", self.quick_step)
+        monkeypatch.setattr(work, "_move_worksite", self.move_worksite)
+        monkeypatch.setattr(quick, "followed", self.followed)
 
-def move_the_rest(flight: Flight, state: State, log: Log, inputs: Inputs) -> None:
-    """Replace `_move_worksite`: move what floats, unless compiled code has moved it."""
-    if not state.row.floats:
-        MOVE_WORKSITE(flight, state, log, inputs)
+    def quick_step(
+        self, flight: Flight, state: State, inputs: Inputs, *, observes: bool, most: int = 1, goes_on: bool = False
+    ) -> int:
+        """Steer, and move the arm by laws."""
+        del observes, most
+        assert not goes_on
+        began = state.panel.motion_began
+        quick.command_motion(flight, state, inputs)
+        state.row.scalars[BEGAN], state.row.scalars[MADE] = 0.0, 1.0
+        self._drifted = driven(Flat(*state.row.arrays(flight.packed)))
+        quick.take(flight, state, DRIVEN)
+        if self._drifted and state.row.floats:
+            quick._take_flights(state)
+        assert state.panel.motion_began == began or state.command[MOTION_ACTIVE] != 0.0
+        return DRIVEN
+
+    def move_worksite(self, flight: Flight, state: State, log: Log, inputs: Inputs) -> None:
+        """Move what floats, unless a law has moved it."""
+        if not self._drifted:
+            self._move_worksite(flight, state, log, inputs)
+
+    def followed(self, arrays: Arrays, true: Array, pressed: bool, links: Array, sticks: Array) -> int:
+        """Measure and judge contacts by laws; captures, pairs that count and limits are left to Python."""
+        del links, sticks
+        flat = Flat(*arrays)
+        seen(flat, true)
+        judged(flat, pressed)
+        return JUDGED
 
 
 def digests(name: str, seed: int | None, steps: int) -> list[bytes]:
@@ -85,8 +99,7 @@ def test_compiled_steps_change_the_state_as_steps_in_python_do(
     name: str, seed: int | None, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     compiled = digests(name, seed, STEPS)
-    monkeypatch.setattr(fly, "quick_step", in_python)
-    monkeypatch.setattr(work, "_move_worksite", move_the_rest)
+    InPython(monkeypatch)
     monkeypatch.setattr(rehearsal, "_COMMANDED", STEPS * 1000)
     assert digests(name, seed, STEPS) == compiled
 
@@ -94,7 +107,7 @@ def test_compiled_steps_change_the_state_as_steps_in_python_do(
 @pytest.mark.parametrize("name", ["srms-berth", "concept-1972-script", "sequence", "first-flight"])
 def test_most_steps_are_compiled_as_a_whole(name: str, monkeypatch: pytest.MonkeyPatch) -> None:
     reached: Counter[int] = Counter()
-    own = quick_step
+    own = quick.quick_step
 
     def counted(
         flight: Flight, state: State, inputs: Inputs, *, observes: bool, most: int = 1, goes_on: bool = False
@@ -112,7 +125,7 @@ def test_most_steps_are_compiled_as_a_whole(name: str, monkeypatch: pytest.Monke
 @pytest.mark.parametrize("seed", [1, 2])
 def test_steps_with_sticks_alone_are_as_steps_that_do_everything(name: str, seed: int) -> None:
     random = np.random.default_rng(seed)
-    quick, whole = Simulation(name), Simulation(name)
+    brief, whole = Simulation(name), Simulation(name)
     alone, went_on, turn = random_inputs(random, STEPS), 0, Inputs()
     for switched in alone:
         turn = switched
@@ -121,13 +134,13 @@ def test_steps_with_sticks_alone_are_as_steps_that_do_everything(name: str, seed
         elif random.random() < LEAVES_SWITCHES:
             turn = replace(turn, **SWITCHES[random.integers(len(SWITCHES))])
         if random.random() < RESTORES:
-            quick.restore(quick.save())
-        quick.advance(turn)
+            brief.restore(brief.save())
+        brief.advance(turn)
         whole._state.row.goes_on = False
         whole.advance(turn)
-        went_on += quick._state.row.goes_on
-        assert quick.seal() == whole.seal() and quick.look() == whole.look()
-    begins = quick.scenario
+        went_on += brief._state.row.goes_on
+        assert brief.seal() == whole.seal() and brief.look() == whole.look()
+    begins = brief.scenario
     assert went_on > 0 or begins.plant != "kinematic" or MODES[begins.mode].kind == "automatic"
 
 
@@ -150,17 +163,17 @@ def test_after_an_interrupted_step_the_next_one_does_everything(monkeypatch: pyt
 def test_steps_of_a_script_are_as_steps_that_do_everything(name: str) -> None:
     delay: dict[Where, object] = {("command_delay",): "0.2 s"}
     for changes in ({}, delay):
-        quick, whole = (Simulation(load_scenario(name, changes)) for _ in range(2))
+        brief, whole = (Simulation(load_scenario(name, changes)) for _ in range(2))
         went_on = 0
         for k in range(STEPS):
-            inputs = HANDS if k % 200 > 150 or not quick.scenario.phases else None
-            quick.advance(inputs)
+            inputs = HANDS if k % 200 > 150 or not brief.scenario.phases else None
+            brief.advance(inputs)
             whole._state.row.goes_on = False
             whole.advance(inputs)
-            went_on += quick._state.row.goes_on
-            assert quick.seal() == whole.seal() and quick.look() == whole.look()
-        first = quick.scenario.phases[0].mode if quick.scenario.phases else quick.scenario.mode
-        assert went_on > 0 or quick.scenario.plant != "kinematic" or MODES[first].kind == "automatic"
+            went_on += brief._state.row.goes_on
+            assert brief.seal() == whole.seal() and brief.look() == whole.look()
+        first = brief.scenario.phases[0].mode if brief.scenario.phases else brief.scenario.mode
+        assert went_on > 0 or brief.scenario.plant != "kinematic" or MODES[first].kind == "automatic"
 
 
 @pytest.mark.parametrize("name", built_in())

@@ -12,13 +12,11 @@ from aftdeck.simulation.operator.panel import operate
 from aftdeck.simulation.payloads.disturbances import disturb
 from aftdeck.simulation.payloads.surroundings import surroundings
 from aftdeck.simulation.period.period import STEERED, UNCHANGED
-from aftdeck.simulation.period.quick import limit_motion, quick_step
+from aftdeck.simulation.period.quick import command_motion, quick_step
 from aftdeck.simulation.state import State
 from aftdeck.simulation.work import update_worksite
-from aftdeck.steering.course import start_motion
 from aftdeck.steering.layout import MOTION_ACTIVE, RATES
 from aftdeck.steering.mode import MODES
-from aftdeck.steering.msteer import msteer
 
 
 def fly(flight: Flight, state: State, log: Log, inputs: Inputs) -> None:
@@ -62,31 +60,19 @@ def go(
         log = log if most == 1 else state.log(flight.scenario.control_period)
     else:
         reached = STEERED
-        _steer(state)
-    complete(flight, state, log, inputs, reached)
-    return reached
+    return complete(flight, state, log, inputs, reached)
 
 
-def complete(flight: Flight, state: State, log: Log, inputs: Inputs, reached: int) -> None:
-    """Complete a step that compiled code has made as far as `reached`; the other arguments are those of `go`."""
+def complete(flight: Flight, state: State, log: Log, inputs: Inputs, reached: int) -> int:
+    """Complete a step that compiled code has made as far as `reached`; arguments and result are those of `go`."""
     if reached == STEERED:
-        # limit the motion to what contacts, berths and walls allow; move the plant, with what disturbs it
-        telescope = limit_motion(flight, state, inputs)
+        # steer, as far as contacts, berths and walls allow; move the plant, with what disturbs it
+        telescope = command_motion(flight, state, inputs)
         disturb(flight, state, log, inputs)
         move_plant(flight, state, log, inputs, telescope)
         if state.plant.bodies is not None:
             watch_stop(flight, state, log, state.plant.bodies)
-    update_worksite(flight, state, log, inputs, reached)
-
-
-def _steer(state: State) -> None:
-    """Measure the arm, plan an automatic motion in the step in which it begins, and compute the commanded rates."""
-    state.measure()
-    if state.panel.sequence == "in progress" and state.command[MOTION_ACTIVE] == 0.0:
-        start_motion(state.both_rules()[0], state.command, state.steering)
-        if state.command[MOTION_ACTIVE] != 0.0:
-            state.panel.motion_began = state.tick - 1
-    msteer(state.rules, state.command, state.steering, state.report)
+    return update_worksite(flight, state, log, inputs, reached)
 
 
 def move_plant(flight: Flight, state: State, log: Log, inputs: Inputs, telescope: float) -> None:

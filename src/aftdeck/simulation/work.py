@@ -20,24 +20,15 @@ from aftdeck.simulation.payloads.forces import watch_forces
 from aftdeck.simulation.payloads.free_contact import drifted
 from aftdeck.simulation.payloads.grasp import carried_by
 from aftdeck.simulation.payloads.jets import translation_rejection
-from aftdeck.simulation.payloads.relations import permitted
-from aftdeck.simulation.payloads.sliding import sliding_payload
-from aftdeck.simulation.payloads.surroundings import follow_bodies
+from aftdeck.simulation.payloads.surroundings import follow_payloads
 from aftdeck.simulation.payloads.task_phases import change_task, task_of
-from aftdeck.simulation.period.contact import contacts
 from aftdeck.simulation.period.period import JUDGED
-from aftdeck.simulation.period.quick import inhibit_of, move_prong
+from aftdeck.simulation.period.quick import follow_bodies, inhibit_of, move_prong
 from aftdeck.simulation.row.scalars import (
-    CHANGED,
     FREELY,
     HINDERED,
-    LEAST,
-    NEAREST,
-    PRONG_AT,
     REJECTED,
-    STAND,
     TASK,
-    TOUCHING,
     WORKS,
 )
 from aftdeck.simulation.state import State
@@ -46,10 +37,10 @@ from aftdeck.worksite.capture.effector import RESTS
 from aftdeck.worksite.watch.contacts import Inhibit
 
 
-def update_worksite(flight: Flight, state: State, log: Log, inputs: Inputs, reached: int) -> None:
+def update_worksite(flight: Flight, state: State, log: Log, inputs: Inputs, reached: int) -> int:
     """Update the worksite to the end of the step, after the plant has moved.
 
-    `reached` tells how far compiled code has made the step (`period.period.advance`).
+    `reached` tells how far compiled code has made the step (`period.period.advance`). Return how far it has come then.
     """
     site, worksite, plant = flight.site, state.worksite, state.plant
     before, was_fixed = worksite.contacts.inhibit, worksite.arm_fixed
@@ -58,9 +49,8 @@ def update_worksite(flight: Flight, state: State, log: Log, inputs: Inputs, reac
         _log_hindrance(flight, worksite, log, hindered)
     if reached < JUDGED:
         _move_worksite(flight, state, log, inputs)
-        _update_contacts(flight, state)
-    else:
-        worksite.contacts.inhibit = inhibit_of(state)
+        reached = follow_bodies(flight, state)
+    worksite.contacts.inhibit = inhibit_of(state)
     log_contacts(site.layout, worksite, plant.bodies, log, flight.scenario.arm.model.units)
     now = worksite.contacts.inhibit
     if now != before:
@@ -74,7 +64,7 @@ def update_worksite(flight: Flight, state: State, log: Log, inputs: Inputs, reac
         if pressed and state.row.values[WORKS] == RESTS:  # log why the end effector does not move
             capture(flight, worksite, plant, state.panel, log, inputs, attached=state.script.attached > 0)
         change_task(worksite, int(state.row.values[TASK]), log)
-        return
+        return reached
     in_grasp, attached = worksite.in_grasp, state.script.attached > 0
     capture(flight, worksite, plant, state.panel, log, inputs, attached=attached)
     update_berths(flight, worksite, plant, log, state.tick, inputs.latch)
@@ -84,6 +74,7 @@ def update_worksite(flight: Flight, state: State, log: Log, inputs: Inputs, reac
         # a berth fixed or freed the arm, so CMD CK's verdict no longer applies
         make_ready(flight.scenario.sequences, state)
     change_task(worksite, task_of(site, worksite), log)
+    return reached
 
 
 def _move_worksite(flight: Flight, state: State, log: Log, inputs: Inputs) -> None:
@@ -97,29 +88,8 @@ def _move_worksite(flight: Flight, state: State, log: Log, inputs: Inputs) -> No
     else:
         _follow_orbiter(flight, worksite, plant.bodies, log, inputs.orbiter)
         move_prong(flight, state)
-        follow_bodies(site, worksite, plant, plant.bodies)
+        follow_payloads(site, worksite, plant, plant.bodies)
         watch_forces(site, worksite, plant.bodies, log, period)
-
-
-def _update_contacts(flight: Flight, state: State) -> None:
-    """Update the poses of all frames, the clearances, the contacts, and the inhibits that the contacts cause."""
-    worksite, plant, scalars = state.worksite, state.plant, state.row.scalars
-    scalars[STAND], scalars[PRONG_AT] = plant.stand.position, worksite.prong.position
-    contacts(state.row.arrays(flight.packed), plant.frames)
-    values = state.row.values = scalars.tolist()
-    worksite.nearest, worksite.watch.least = int(values[NEAREST]), values[LEAST]
-    _judge(flight, state, touching=values[TOUCHING] != 0.0, changed=values[CHANGED] != 0.0)
-
-
-def _judge(flight: Flight, state: State, *, touching: bool, changed: bool) -> None:
-    """Update which contacts belong to the task, and the inhibits that contacts cause."""
-    site, worksite, bodies = flight.site, state.worksite, state.plant.bodies
-    counted = worksite.contacts
-    if touching or changed or (bodies is not None and bodies.touches):
-        worksite.permitted[:] = permitted(flight, state, worksite.watch, worksite.frames)
-        sliding = sliding_payload(flight, worksite.held, state.panel.mode)
-        counted.essential[:] = site.essential_while(sliding, worksite.permitted)
-    counted.judge(touching, changed, site.by_prong, worksite.task, inhibits=flight.inhibits)
 
 
 def _log_hindrance(flight: Flight, worksite: WorksiteState, log: Log, hindered: int) -> None:

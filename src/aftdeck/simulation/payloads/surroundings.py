@@ -89,7 +89,7 @@ def _holds(site: Site, worksite: WorksiteState) -> list[Hold]:
     return found
 
 
-def follow_bodies(site: Site, worksite: WorksiteState, plant: PlantState, bodies: Bodies) -> None:
+def follow_payloads(site: Site, worksite: WorksiteState, plant: PlantState, bodies: Bodies) -> None:
     """Set the payloads of the worksite to the poses and motions to which the plant has moved them."""
     for k, floating in enumerate(worksite.floating):
         if floating is not None:

@@ -7,10 +7,9 @@ import numpy as np
 from aftdeck.arrays import Array
 from aftdeck.bodies.pair import PAIR
 from aftdeck.law import large_law, law
-from aftdeck.lent import lend
 from aftdeck.simulation.payloads.relations import permit
 from aftdeck.simulation.row.aligning import aligning_of
-from aftdeck.simulation.row.now import Arrays, Flat, lent, monitor_of, motion_of, watch_of
+from aftdeck.simulation.row.now import Flat, monitor_of, motion_of, watch_of
 from aftdeck.simulation.row.scalars import (
     ARM,
     CHANGED,
@@ -36,12 +35,6 @@ from aftdeck.worksite.watch.places import place_everything
 
 LOOSE = 0.25
 """Bound of a clearance below which the clearance is measured again [m] (assumed)."""
-
-
-@law
-def contacts(arrays: Arrays, true: Array) -> None:
-    """Place all frames and count the contacts after Python code has moved the bodies, as `seen` does."""
-    seen(lent(arrays), lend(true))
 
 
 @law
@@ -135,11 +128,14 @@ def still_clear(flat: Flat, bound: float, within: float) -> bool:
 
 
 @large_law
-def judged(flat: Flat) -> None:
-    """Find the contacts that the task permits, and write the inhibits that the others cause."""
+def judged(flat: Flat, pressed: bool) -> None:
+    """Find the contacts that the task permits, and write the inhibits that the others cause.
+
+    `pressed`: whether forces between parts acted in this step, so that parts which are apart now may have touched.
+    """
     world, now, watch = world_of(flat), motion_of(flat), watch_of(flat)
     v = now.scalars
-    if v[TOUCHING] != 0.0 or v[CHANGED] != 0.0:
+    if pressed or v[TOUCHING] != 0.0 or v[CHANGED] != 0.0:
         permit(world, aligning_of(flat), pairs_of(flat), monitor_of(watch), now.frames, watch.permitted)
         held, slides = int(v[HELD]), v[SLIDES] != 0.0
         for g in range(len(watch.permitted)):

@@ -9,10 +9,9 @@ from __future__ import annotations
 
 from aftdeck.arrays import Array
 from aftdeck.law import large_law, law
-from aftdeck.lent import lend
 from aftdeck.simulation.period.inhibit import may_move
 from aftdeck.simulation.period.slide import slid_along
-from aftdeck.simulation.row.now import Arrays, Flat, lent, motion_of, watch_of
+from aftdeck.simulation.row.now import Flat, motion_of, watch_of
 from aftdeck.simulation.row.scalars import (
     AUTOMATIC,
     FIXED,
@@ -30,12 +29,6 @@ from aftdeck.steering.layout import CLOCK, CLOCK_RATE, RATES, RATIO, TWIST
 
 BERTH, SWITCH, CONTACT = 1.0, 2.0, 3.0
 """What blocks a commanded motion (`scalars.HALT`)."""
-
-
-@law
-def limit(arrays: Arrays, rules: Array) -> None:
-    """Limit the motion that Python code has commanded, as `limited` does."""
-    limited(lent(arrays), lend(rules))
 
 
 @large_law

@@ -88,9 +88,35 @@ def complete(flat: Flat, rules: Array, resting: Array, links: Array, sticks: Arr
     if reached < MOVED:
         return reached
     seen(flat, np.empty((0, POSE)))
-    reached = settled(flat)
+    reached = settled(flat, False)
     if reached < ATTACHED or not observes:
         return reached
+    return noticed(flat, links, sticks)
+
+
+@law
+def followed(arrays: Arrays, true: Array, pressed: bool, links: Array, sticks: Array) -> int:
+    """Complete a control step after Python code has moved bodies, as far as compiled code can.
+
+    Args:
+        arrays: constants of the run and row of the state.
+        true: (f, 12) poses of the arm's frames in L; (0, 12) if they follow from the joint angles.
+        pressed: as for `judged`.
+        links: as for `observe.observed`.
+        sticks: the same.
+
+    Returns:
+        How far the step has come, from `JUDGED` to `OBSERVED`.
+    """
+    flat = lent(arrays)
+    seen(flat, lend(true))
+    reached = settled(flat, pressed)
+    return noticed(flat, lend(links), lend(sticks)) if reached == ATTACHED else reached
+
+
+@law
+def noticed(flat: Flat, links: Array, sticks: Array) -> int:
+    """Mark the pairs that count for CLEARANCE, and observe the arm; return `ATTACHED`, `COUNTED` or `OBSERVED`."""
     if not counted(flat):
         return ATTACHED
     if motion_of(flat).scalars[STAND_VELOCITY] != 0.0:
@@ -124,7 +150,7 @@ def moved(flat: Flat, rules: Array, resting: Array) -> int:
 
 
 @law
-def settled(flat: Flat) -> int:
+def settled(flat: Flat, pressed: bool) -> int:
     """Judge the contacts and what is captured or fixed; return `JUDGED` or `ATTACHED` as `advance` does."""
-    judged(flat)
+    judged(flat, pressed)
     return JUDGED if attached(flat) else ATTACHED

@@ -7,14 +7,15 @@ from typing import TYPE_CHECKING
 from aftdeck.simulation.parts.worksite_state import DRIVES, Halt
 from aftdeck.simulation.payloads.jets import translation_rejection
 from aftdeck.simulation.payloads.sliding import sliding_payload
-from aftdeck.simulation.period.limit import limit
-from aftdeck.simulation.period.period import COUNTED, JUDGED, OBSERVED, advance
+from aftdeck.simulation.period.period import COUNTED, JUDGED, OBSERVED, advance, followed
 from aftdeck.simulation.period.prong import close_or_open
+from aftdeck.simulation.period.steer import steer
 from aftdeck.simulation.row.scalars import (
     ALIGNED,
     ARM,
     BEGAN,
     CHANGED,
+    CLOSES,
     CONTROLLED,
     CYCLE_AT,
     FINGER,
@@ -79,24 +80,43 @@ def quick_step(
         most,
     )
     take(flight, state, reached)
+    if state.row.floats and (reached >= JUDGED or state.row.values[MADE] > 1.0):
+        _take_flights(state)
     return reached
 
 
-def limit_motion(flight: Flight, state: State, inputs: Inputs) -> float:
-    """Limit the rates in `state.steering`, and the telescope, to what contacts, berths, switches and walls allow.
+def command_motion(flight: Flight, state: State, inputs: Inputs) -> float:
+    """Command the rates in `state.steering`, as far as contacts, berths, switches and walls allow.
 
-    Return the allowed drive of the telescope, in [-1, 1]. On the kinematic plant, `quick_step` does this.
+    Return the drive of the telescope that they allow, in [-1, 1]. On the kinematic plant, `quick_step` does this.
     """
+    state.measure()
     give(flight, state, inputs)
-    limit(state.row.arrays(flight.packed), state.rules)
+    steer(state.row.arrays(flight.packed), *state.both_rules())
     values = state.row.values = state.row.scalars.tolist()
     state.worksite.halt = _HALTS[int(values[HALT])]
+    if values[BEGAN]:
+        state.panel.motion_began = state.tick - 1
     return float(values[TELESCOPE])
+
+
+def follow_bodies(flight: Flight, state: State) -> int:
+    """Complete a step after Python code has moved bodies, as far as compiled code can; return how far that is."""
+    plant, scalars = state.plant, state.row.scalars
+    scalars[STAND], scalars[STAND_VELOCITY], scalars[MADE] = plant.stand.position, plant.stand.velocity, 1.0
+    scalars[PRONG_AT], scalars[PRONG_VELOCITY] = state.worksite.prong.position, state.worksite.prong.velocity
+    pressed = plant.bodies is not None and bool(plant.bodies.touches)
+    links, sticks = state.arm.model.links, state.stick_rules
+    reached = followed(state.row.arrays(flight.packed), plant.frames, pressed, links, sticks)
+    take(flight, state, reached)
+    return reached
 
 
 def move_prong(flight: Flight, state: State) -> None:
     """Move the prong after the bodies of a plant with masses. On the kinematic plant, `quick_step` does this."""
     scalars, prong, plant = state.row.scalars, state.worksite.prong, state.plant
+    if state.row.values[CLOSES] == 0.0 and prong.velocity == 0.0:
+        return
     scalars[STAND] = plant.stand.position
     close_or_open(state.row.arrays(flight.packed), plant.frames)
     prong.position, prong.velocity = scalars[[PRONG_AT, PRONG_VELOCITY]].tolist()
@@ -121,8 +141,6 @@ def take(flight: Flight, state: State, reached: int) -> None:
     worksite.prong.position, worksite.prong.velocity = values[PRONG_AT], values[PRONG_VELOCITY]
     if reached < JUDGED and not several:
         return
-    if state.row.floats:
-        _take_flights(state)
     worksite.nearest, worksite.watch.least = int(values[NEAREST]), values[LEAST]
     if values[WORKS] == MOVES:
         worksite.snare = unpacked(state.row.snare)

@@ -87,7 +87,7 @@ def rehearsed(
                 bound = bounded(flat)
             else:
                 v[CHANGED] = 0.0
-            reached = settled(flat)
+            reached = settled(flat, False)
         values[REACHED] = reached
         values[STEPS] += 1.0
         v[MADE] += 1.0
