@@ -53,9 +53,9 @@ def test_documented_calls_are_made_in_the_documented_order() -> None:
 def test_calls_of_the_step_that_change_the_state_are_documented() -> None:
     """Not documented: calls for the phase's name, the script's rate limits, initialisation and the camera drives.
 
-    `acts_once`, `only_sticks` and `is_idle` change nothing, and `order` is a part of `operate`.
+    `acts_once`, `only_sticks` and `is_idle` change nothing; `finish` and `order` are parts of `operate`.
     """
     left_out = set(body(aftdeck.simulation.step, "step")) - set(shown())
     assert left_out <= {
-        *("phase_name", "hand_over", "initialise", "driven", "acts_once", "only_sticks", "is_idle", "order"),
+        *("phase_name", "hand_over", "initialise", "driven", "acts_once", "only_sticks", "is_idle", "finish", "order"),
     }

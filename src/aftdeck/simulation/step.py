@@ -12,6 +12,7 @@ from aftdeck.simulation.operator.command_delay import delayed
 from aftdeck.simulation.operator.held import acts_once, is_idle, only_sticks
 from aftdeck.simulation.operator.panel import operate, order
 from aftdeck.simulation.operator.script import end_if_time_is_up, hand_over, phase_name, play
+from aftdeck.simulation.operator.sequence import finish
 from aftdeck.simulation.payloads.alignment import count
 from aftdeck.simulation.period.period import COUNTED, OBSERVED, UNCHANGED
 from aftdeck.simulation.state import State
@@ -47,14 +48,18 @@ def step(flight: Flight, state: State, inputs: Inputs | None, most: int = 1) -> 
         inputs = delayed(state, inputs)
 
     # only the sticks are to be written if nothing else has moved since the last step
-    sticks_only = only_sticks(inputs)
+    sticks_only, finished = only_sticks(inputs), False
     went_on, state.row.goes_on = state.row.goes_on, False  # also if an error ends this step
-    if goes_on := went_on and sticks_only and state.by_script == source and not state.events:
+    goes_on = went_on and sticks_only and state.by_script == source and not state.events
+    if goes_on and state.panel.sequence == "in progress":
+        finished = finish(flight, state, log)
+    if goes_on and not finished:
         order(flight, state, log, inputs)
     else:
+        goes_on = False
         if inputs.initialise is not None:
             initialise(flight, state, inputs.initialise)
-        operate(flight, state, log, inputs)
+        operate(flight, state, log, inputs, finished=finished)
 
         # continue CMD CK; after PROCEED, a GOOD verdict starts the motion
         check(flight, state, log)

@@ -31,7 +31,7 @@ def is_idle(state: State) -> bool:
         or inhibit.arm
         or inhibit.finger
         or state.worksite.orbiter_rejected
-        or MODES[panel.mode].kind not in ("manual", "single")
+        or MODES[panel.mode].kind == "master"
     )
 
 
@@ -41,5 +41,7 @@ def acts_once(state: State, inputs: Inputs) -> bool:
     They are then the same for the panel as inputs that leave all switches alone.
     """
     if not is_idle(state) or state.by_script or state.delayed_inputs or inputs.mode not in (None, state.panel.mode):
+        return False
+    if state.panel.sequence == "in progress":  # `sequence.finish` looks for its end in each step
         return False
     return replace(inputs, **_AT_REST) == _NOTHING

@@ -20,12 +20,16 @@ from aftdeck.steering.layout import AIMS, KEPT, MASTER
 from aftdeck.steering.mode import MODES
 
 
-def operate(flight: Flight, state: State, log: Log, inputs: Inputs) -> None:
-    """Apply one step's inputs to the panel's switches, and set `state.command`."""
+def operate(flight: Flight, state: State, log: Log, inputs: Inputs, *, finished: bool = False) -> None:
+    """Apply one step's inputs to the panel's switches, and set `state.command`.
+
+    `finished`: whether `finish` has been called in this step.
+    """
     panel, sequences = state.panel, flight.scenario.sequences
     if state.tick == 1:
         make_ready(sequences, state)
-    finish(flight, state, log)
+    if not finished:
+        finish(flight, state, log)
     _set_switches(sequences, state, log, inputs)
     if inputs.mode is not None and inputs.mode != panel.mode:
         _enter(sequences, state, log, inputs.mode)

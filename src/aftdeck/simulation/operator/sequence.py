@@ -63,21 +63,25 @@ def begin(state: State, target: Target, joints: Joints | None = None) -> None:
     panel.target, panel.sequence, panel.blocked = target, "in progress", 0
 
 
-def finish(flight: Flight, state: State, log: Log) -> None:
-    """End the automatic motion if it reached its target in the last step, or if the arm stood still for too long."""
+def finish(flight: Flight, state: State, log: Log) -> bool:
+    """End the automatic motion if it reached its target in the last step, or if the arm stood still for too long.
+
+    Return whether it has ended, or goes on to the next point.
+    """
     panel = state.panel
     panel.ending, panel.final_error = "", ""
     if panel.sequence != "in progress":
-        return
+        return False
     distance, turn = fly_by(flight.scenario, panel)
     passing = bool(state.report[DISTANCE] <= distance and state.report[ANGLE] <= turn)
     still = state.report[RATIO] < STANDSTILL
     inside = flight.plant.has_servos and _inside(flight.scenario, state.panel.law, state.command, state.report)
     if inside or state.report[ARRIVED] or passing or (still and not _final_error(flight, state)):
         _arrive(flight, state, log, passing, inside=inside)
-        return
+        return True
     panel.blocked = panel.blocked + 1 if still else 0
-    if panel.blocked * flight.scenario.control_period >= MAX_STOPPED_TIME:
+    abandoned = panel.blocked * flight.scenario.control_period >= MAX_STOPPED_TIME
+    if abandoned:
         panel.sequence, panel.blocked, panel.ending = "ready", 0, "given up"
         halt = state.worksite.halt
         why = (
@@ -86,6 +90,7 @@ def finish(flight: Flight, state: State, log: Log) -> None:
             else joint_lock_reason(state.panel) or _STANDSTILLS[halt]
         )
         log.add("blocked", "caution", f"automatic motion abandoned: {why}")
+    return abandoned
 
 
 def fly_by(scenario: Scenario, panel: Panel) -> tuple[float, float]:
