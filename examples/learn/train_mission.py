@@ -22,6 +22,7 @@ from stable_baselines3 import PPO
 from stable_baselines3.common.env_util import make_vec_env
 
 import aftdeck.gym  # noqa: F401  (registers the environments)
+from aftdeck.gym.mission.definition import PERIOD
 from aftdeck.gym.policy import Policy
 from aftdeck.gym.policy_file import save_policy
 
@@ -67,7 +68,7 @@ def success_rate(env: gymnasium.Env[Floats, Floats], policy: Policy, episodes: i
             observation, _, terminated, truncated, info = env.step(policy.act(observation))
             steps, over = steps + 1, terminated or truncated
         if info["is_success"]:
-            durations.append(0.1 * steps)
+            durations.append(PERIOD * steps)
     return len(durations) / episodes, float(np.mean(durations)) if durations else 0.0
 
 

@@ -204,6 +204,19 @@ def test_scenario_whose_control_period_does_not_divide_the_step_is_rejected(tmp_
         CaptureEnv(tmp_path / "own.toml")
 
 
+@pytest.mark.parametrize("delay", ["0 s", "0.3 s"])
+def test_rate_setting_is_that_of_the_last_action_beyond_half(tmp_path: Path, delay: str) -> None:
+    text, file = aftdeck.load_scenario("tutorial").text, tmp_path / "own.toml"
+    file.write_text(f'command_delay = "{delay}"\n{text}', encoding="utf-8")
+    env, action = CaptureEnv(file), np.zeros(8, np.float32)
+    for settings, rate in (((-1.0, 1.0), "coarse"), ((1.0, -1.0), "vernier")):
+        env.reset(seed=1)
+        for setting in (*settings, 0.4, -0.4, 0.0, 0.0, 0.0):
+            action[6] = setting
+            env.step(action)
+        assert env.simulation.look().rate == rate
+
+
 def test_disturbances_of_a_scenario_act_in_every_episode(tmp_path: Path) -> None:
     """At their time of the episode, and with the same steps if nothing disturbs."""
     text, file = aftdeck.load_scenario("tutorial").text, tmp_path / "own.toml"

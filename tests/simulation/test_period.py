@@ -12,6 +12,7 @@ from msgspec.structs import replace
 from aftdeck.arrays import Array
 from aftdeck.files import Where
 from aftdeck.scenario.load import built_in, load_scenario
+from aftdeck.scenario.target import Target
 from aftdeck.simulation import fly, step, work
 from aftdeck.simulation.command_check import rehearsal
 from aftdeck.simulation.constants.flight import Flight
@@ -62,7 +63,7 @@ class InPython:
         quick.command_motion(flight, state, inputs)
         state.row.scalars[BEGAN], state.row.scalars[MADE] = 0.0, 1.0
         self._drifted = driven(Flat(*state.row.arrays(flight.packed)))
-        quick.take(flight, state, DRIVEN)
+        quick._take_values(flight, state, DRIVEN)
         if self._drifted and state.row.floats:
             quick._take_flights(state)
         assert state.panel.motion_began == began or state.command[MOTION_ACTIVE] != 0.0
@@ -73,9 +74,9 @@ class InPython:
         if not self._drifted:
             self._move_worksite(flight, state, log, inputs)
 
-    def followed(self, arrays: Arrays, true: Array, pressed: bool, links: Array, sticks: Array) -> int:
+    def followed(self, arrays: Arrays, true: Array, pressed: bool, links: Array, sticks: Array, observes: bool) -> int:
         """Measure and judge contacts by laws; captures, pairs that count and limits are left to Python."""
-        del links, sticks
+        del links, sticks, observes
         flat = Flat(*arrays)
         seen(flat, true)
         judged(flat, pressed)
@@ -202,3 +203,28 @@ def test_held_inputs_are_as_many_steps_when_the_scenario_changes_something(befor
         one.advance(HANDS)
     many.hold(HANDS, 5)
     assert one.seal() == many.seal() and one.look() == many.look()
+
+
+@pytest.mark.parametrize("turns", [0.0, 0.05])
+def test_payload_that_floats_moves_in_a_rehearsal_as_in_single_steps(
+    turns: float, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    poses = []
+    for commanded in (1, 10_000):  # a loop in compiled code, and single steps
+        monkeypatch.setattr(rehearsal, "_COMMANDED", commanded)
+        sim = Simulation("free-flyer")
+        payload = sim._state.worksite.floating[0]
+        assert payload is not None
+        payload.motion[2] = turns
+        frame = sim.step(Inputs(mode="OPR CMD"))
+        x, y, z = frame.position
+        sim.advance(Inputs(target=Target((x, y, z - 0.5), frame.orientation)))
+        seen_poses = []
+        while (checking := sim._state.checking) is not None:
+            if (motion := checking.rehearsal.motion) is not None:
+                floating = motion._copy.worksite.floating[0]
+                assert floating is not None
+                seen_poses.append((motion.steps, floating.pose.tolist(), motion._copy.worksite.frames.tolist()))
+            sim.advance(Inputs())
+        poses.append(seen_poses)
+    assert poses[0] == poses[1] and poses[0][-1][0] > 50

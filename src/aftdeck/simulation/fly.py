@@ -60,10 +60,10 @@ def go(
         log = log if most == 1 else state.log(flight.scenario.control_period)
     else:
         reached = STEERED
-    return complete(flight, state, log, inputs, reached)
+    return complete(flight, state, log, inputs, reached, observes=observes)
 
 
-def complete(flight: Flight, state: State, log: Log, inputs: Inputs, reached: int) -> int:
+def complete(flight: Flight, state: State, log: Log, inputs: Inputs, reached: int, *, observes: bool) -> int:
     """Complete a step that compiled code has made as far as `reached`; arguments and result are those of `go`."""
     if reached == STEERED:
         # steer, as far as contacts, berths and walls allow; move the plant, with what disturbs it
@@ -72,7 +72,7 @@ def complete(flight: Flight, state: State, log: Log, inputs: Inputs, reached: in
         move_plant(flight, state, log, inputs, telescope)
         if state.plant.bodies is not None:
             watch_stop(flight, state, log, state.plant.bodies)
-    return update_worksite(flight, state, log, inputs, reached)
+    return update_worksite(flight, state, log, inputs, reached, observes=observes)
 
 
 def move_plant(flight: Flight, state: State, log: Log, inputs: Inputs, telescope: float) -> None:

@@ -48,18 +48,18 @@ def step(flight: Flight, state: State, inputs: Inputs | None, most: int = 1) -> 
         inputs = delayed(state, inputs)
 
     # only the sticks are to be written if nothing else has moved since the last step
-    sticks_only, finished = only_sticks(inputs), False
+    sticks_only, arrived = only_sticks(inputs), False
     went_on, state.row.goes_on = state.row.goes_on, False  # also if an error ends this step
     goes_on = went_on and sticks_only and state.by_script == source and not state.events
     if goes_on and state.panel.sequence == "in progress":
-        finished = finish(flight, state, log)
-    if goes_on and not finished:
+        arrived = finish(flight, state, log)
+    if goes_on and not arrived:
         order(flight, state, log, inputs)
     else:
         goes_on = False
         if inputs.initialise is not None:
             initialise(flight, state, inputs.initialise)
-        operate(flight, state, log, inputs, finished=finished)
+        operate(flight, state, log, inputs, finished=arrived)
 
         # continue CMD CK; after PROCEED, a GOOD verdict starts the motion
         check(flight, state, log)

@@ -46,6 +46,7 @@ from aftdeck.steering.limiters import rate_ratio
 from aftdeck.steering.mode import AUTOMATIC_LAWS
 from aftdeck.worksite.capture.snare import Snare
 from aftdeck.worksite.watch.contact_motion import worst_new_contact
+from aftdeck.worksite.watch.contacts import two_frames
 
 
 def warm_up(scenario: Scenario) -> None:
@@ -69,7 +70,8 @@ def warm_up(scenario: Scenario) -> None:
     _rest_of_step(flight, state)
     step(flight, state, Inputs(mode="SINGLE"))
     step(flight, state, None)
-    state.worksite.contacts.judge(touching=True, changed=True, prong=flight.site.by_prong, mode=state.worksite.task)
+    contacts = state.worksite.contacts
+    two_frames(contacts.count, contacts.essential, contacts.arm, flight.site.by_prong, state.worksite.task)
     way_out_of_contact(flight, state)
     worst_new_contact(state.worksite.watch, flight.site.detrimental, state.worksite.frames)
     if flight.site.capture is not None:
@@ -116,6 +118,6 @@ def _carry(flight: Flight, state: State) -> None:
 def _rest_of_step(flight: Flight, state: State) -> None:
     """Make the part of a step that follows the steering, as far as Python can make it."""
     log = state.log(flight.scenario.control_period)
-    complete(flight, state, log, Inputs(), DRIVEN if state.plant.bodies is None else STEERED)
+    complete(flight, state, log, Inputs(), DRIVEN if state.plant.bodies is None else STEERED, observes=True)
     count(flight, state)
     log_arm_events(flight, state, log, complete=False)

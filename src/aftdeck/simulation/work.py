@@ -37,10 +37,11 @@ from aftdeck.worksite.capture.effector import RESTS
 from aftdeck.worksite.watch.contacts import Inhibit
 
 
-def update_worksite(flight: Flight, state: State, log: Log, inputs: Inputs, reached: int) -> int:
+def update_worksite(flight: Flight, state: State, log: Log, inputs: Inputs, reached: int, *, observes: bool) -> int:
     """Update the worksite to the end of the step, after the plant has moved.
 
-    `reached` tells how far compiled code has made the step (`period.period.advance`). Return how far it has come then.
+    `reached` is how far compiled code has made the step (`period.period.advance`), which also explains `observes`.
+    Return how far the step has come then.
     """
     site, worksite, plant = flight.site, state.worksite, state.plant
     before, was_fixed = worksite.contacts.inhibit, worksite.arm_fixed
@@ -49,7 +50,7 @@ def update_worksite(flight: Flight, state: State, log: Log, inputs: Inputs, reac
         _log_hindrance(flight, worksite, log, hindered)
     if reached < JUDGED:
         _move_worksite(flight, state, log, inputs)
-        reached = follow_bodies(flight, state)
+        reached = follow_bodies(flight, state, observes=observes)
     worksite.contacts.inhibit = inhibit_of(state)
     log_contacts(site.layout, worksite, plant.bodies, log, flight.scenario.arm.model.units)
     now = worksite.contacts.inhibit

@@ -21,8 +21,8 @@ def inputs_of(mission: Mission, values: Sequence[float], before: Rate) -> Inputs
     Args:
         mission: the environment.
         values: one number in [-1, 1] for each of its controls.
-        before: rate setting before the action. The switch moves only if the action changes it: a step in which nothing
-            but the sticks moves takes a third less time.
+        before: rate setting that was commanded last. The switch moves only if the action changes it: a step in which
+            nothing but the sticks moves takes a third less time.
     """
     x, y, z, roll, pitch, yaw, rate = values[:7]
     wanted: Rate = "coarse" if rate > SWITCHED else "vernier" if rate < -SWITCHED else before

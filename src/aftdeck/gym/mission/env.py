@@ -13,7 +13,7 @@ from aftdeck.files import Where
 from aftdeck.gym.actions import checked, clipped
 from aftdeck.gym.choices import PLANTS, no_options, one_of
 from aftdeck.gym.mission import definition
-from aftdeck.gym.mission.actions import inputs_of, repeats_of
+from aftdeck.gym.mission.actions import Rate, inputs_of, repeats_of
 from aftdeck.gym.mission.definition import CAPTURE, DOCK, EXTRACT, Mission
 from aftdeck.gym.mission.episode import started
 from aftdeck.gym.mission.observation import Observer
@@ -98,6 +98,7 @@ class MissionEnv(ShownEnv):
         self._since = Since(frame.position, frame.orientation)
         self._left: Remaining | None = None
         self._begun = False
+        self._rate: Rate = "coarse"
         self.start: Start | None = None
         self.stepped: Callable[[Simulation], None] | None = None
         self._pictures: Pictures | None = None
@@ -132,7 +133,7 @@ class MissionEnv(ShownEnv):
         frame = self._begin()
         self._since = Since(frame.position, frame.orientation)
         self._left = self._aims.remaining(frame, self._step)
-        self._begun = True
+        self._begun, self._rate = True, "coarse"
         if self.station is not None and self.start is not None:
             self.station.begin(started(self._sim.scenario, self.start, self._step))
             self.station.step(self._first_inputs())
@@ -151,7 +152,8 @@ class MissionEnv(ShownEnv):
         if not self._begun:
             raise InputError("step: got a call before the first reset, expected reset() first")
         values = checked(clipped(action) if self._clips else action, self.mission.controls)
-        inputs = inputs_of(self.mission, values, self._sim.look().rate)
+        inputs = inputs_of(self.mission, values, self._rate)
+        self._rate = inputs.rate or self._rate
         if self.station is None and self.stepped is None:
             self._sim.hold(inputs, self._repeats)
         else:

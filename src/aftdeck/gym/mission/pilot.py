@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from aftdeck.errors import InputError
-from aftdeck.gym.mission.actions import inputs_of, repeats_of
+from aftdeck.gym.mission.actions import Rate, inputs_of, repeats_of
 from aftdeck.gym.mission.definition import MISSIONS, observations
 from aftdeck.gym.mission.observation import Observer
 from aftdeck.gym.mission.starts import step_of
@@ -42,6 +42,7 @@ class MissionPilot:
         self._aims, self._repeats = Aims(scenario), repeats_of(scenario)
         self._observer: Observer | None = None
         self._inputs, self._until = Inputs(), 0
+        self._rate: Rate = "coarse"
         self.flying = False
 
     def __call__(self, sim: Simulation) -> Inputs | None:
@@ -63,7 +64,8 @@ class MissionPilot:
         if frame.tick >= self._until:
             left = self._aims.remaining(frame, self._step)
             action = self._policy.act(self._observer.of(frame, left)).tolist()
-            self._inputs, self._until = inputs_of(self._mission, action, frame.rate), frame.tick + self._repeats
+            self._inputs, self._until = inputs_of(self._mission, action, self._rate), frame.tick + self._repeats
+            self._rate = self._inputs.rate or self._rate
         return self._inputs
 
     def _is_near(self, frame: Frame) -> bool:

@@ -108,7 +108,7 @@ class Rehearsal:
         copy.events.clear()
         copy.panel.blocked, reached = 0, int(values[REACHED])
         take(flight, copy, reached)
-        complete(flight, copy, copy.log(flight.scenario.control_period), _NO_INPUTS, reached)
+        complete(flight, copy, copy.log(flight.scenario.control_period), _NO_INPUTS, reached, observes=False)
         if reached < ATTACHED:
             self._note_singularity()
 

@@ -112,15 +112,6 @@ class Site:
     bodies: tuple[Indices, ...]
     bay: Array | None
 
-    def essential_while(self, sliding: int | None, permitted: Mask) -> Mask:
-        """Return (g,) 1 for the pairs whose contacts belong to the task.
-
-        Args:
-            sliding: index of the payload that slides along walls; None if no payload slides.
-            permitted: (g,) result of `relations.permitted`: 1 for pairs whose contact the task permits.
-        """
-        return permitted if sliding is None else permitted | self.slides[sliding]
-
     def berth(self, name: str) -> Berth:
         """Return the berth with this name."""
         return next(berth for berth in self.worksite.berths if berth.name == name)

@@ -20,7 +20,10 @@ def only_sticks(inputs: Inputs) -> bool:
 
 
 def is_idle(state: State) -> bool:
-    """Return whether nothing is in progress that Python has to do in each step, and nothing was logged in this one."""
+    """Return whether nothing was logged in this step, and Python has nothing to do in each step.
+
+    During an automatic motion it has to look for the motion's end (`sequence.finish`).
+    """
     panel, inhibit = state.panel, state.worksite.contacts.inhibit
     return not (
         state.events

@@ -34,8 +34,8 @@ from aftdeck.simulation.row.scalars import (
 from aftdeck.worksite.watch.found import CLEARANCE
 
 STEERED, DRIVEN, MOVED, JUDGED, ATTACHED, COUNTED, OBSERVED, UNCHANGED = range(8)
-"""How far a control period has come: see `advance`. `STEERED`: Python code has steered, on a plant with masses. No
-step ends at `MOVED`."""
+"""How far a control period has come: see `advance`. `STEERED`: nothing was done, on a plant with masses. No step ends
+at `MOVED`."""
 FARTHEST = 1e300
 """Minimum clearance if no pair counts [m]."""
 
@@ -95,7 +95,7 @@ def complete(flat: Flat, rules: Array, resting: Array, links: Array, sticks: Arr
 
 
 @law
-def followed(arrays: Arrays, true: Array, pressed: bool, links: Array, sticks: Array) -> int:
+def followed(arrays: Arrays, true: Array, pressed: bool, links: Array, sticks: Array, observes: bool) -> int:
     """Complete a control step after Python code has moved bodies, as far as compiled code can.
 
     Args:
@@ -104,6 +104,7 @@ def followed(arrays: Arrays, true: Array, pressed: bool, links: Array, sticks: A
         pressed: as for `judged`.
         links: as for `observe.observed`.
         sticks: the same.
+        observes: as for `advance`.
 
     Returns:
         How far the step has come, from `JUDGED` to `OBSERVED`.
@@ -111,7 +112,7 @@ def followed(arrays: Arrays, true: Array, pressed: bool, links: Array, sticks: A
     flat = lent(arrays)
     seen(flat, lend(true))
     reached = settled(flat, pressed)
-    return noticed(flat, lend(links), lend(sticks)) if reached == ATTACHED else reached
+    return noticed(flat, lend(links), lend(sticks)) if reached == ATTACHED and observes else reached
 
 
 @law

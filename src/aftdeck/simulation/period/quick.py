@@ -80,8 +80,6 @@ def quick_step(
         most,
     )
     take(flight, state, reached)
-    if state.row.floats and (reached >= JUDGED or state.row.values[MADE] > 1.0):
-        _take_flights(state)
     return reached
 
 
@@ -100,15 +98,18 @@ def command_motion(flight: Flight, state: State, inputs: Inputs) -> float:
     return float(values[TELESCOPE])
 
 
-def follow_bodies(flight: Flight, state: State) -> int:
-    """Complete a step after Python code has moved bodies, as far as compiled code can; return how far that is."""
+def follow_bodies(flight: Flight, state: State, *, observes: bool) -> int:
+    """Complete a step after Python code has moved bodies, as far as compiled code can; return how far that is.
+
+    `observes` as for `advance`.
+    """
     plant, scalars = state.plant, state.row.scalars
     scalars[STAND], scalars[STAND_VELOCITY], scalars[MADE] = plant.stand.position, plant.stand.velocity, 1.0
     scalars[PRONG_AT], scalars[PRONG_VELOCITY] = state.worksite.prong.position, state.worksite.prong.velocity
     pressed = plant.bodies is not None and bool(plant.bodies.touches)
     links, sticks = state.arm.model.links, state.stick_rules
-    reached = followed(state.row.arrays(flight.packed), plant.frames, pressed, links, sticks)
-    take(flight, state, reached)
+    reached = followed(state.row.arrays(flight.packed), plant.frames, pressed, links, sticks, observes)
+    _take_values(flight, state, reached)
     return reached
 
 
@@ -123,6 +124,13 @@ def move_prong(flight: Flight, state: State) -> None:
 
 
 def take(flight: Flight, state: State, reached: int) -> None:
+    """Take the single values of the state and the free flights from its row; the arguments are `_take_values`'s."""
+    _take_values(flight, state, reached)
+    if state.row.floats and (reached >= JUDGED or state.row.values[MADE] > 1.0):
+        _take_flights(state)
+
+
+def _take_values(flight: Flight, state: State, reached: int) -> None:
     """Take the single values of the state from its row.
 
     Args:

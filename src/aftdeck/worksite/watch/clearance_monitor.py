@@ -57,7 +57,7 @@ ROOM = 0.25
 less, groups are listed again sooner; with more, each step examines more of them."""
 
 FAR = 10.0
-"""Motion since the groups were listed after which all bounds are lowered [m] (assumed)."""
+"""Sum of a frame's motions after which all bounds are lowered by them, and the sums begin at 0 again [m] (assumed)."""
 
 
 @law
@@ -111,10 +111,11 @@ def measure_groups(
     """
     follow(layout, own, now)
     most = greatest_approach(own.moved, own.moved_then)
-    every = own.beyond[2] != within or not (own.beyond[0] - most >= within and same_groups(own, active, counts))
+    every = own.beyond[2] != within or have_moved_far(own)
+    every = every or not (own.beyond[0] - most >= within and same_groups(own, active, counts))
     while True:
         if every:
-            list_all(layout, own, active, counts, most)
+            list_all(layout, own, active, counts)
         least = measure_listed(layout, own, active, counts, before, now, period, within)
         if every:
             shorten_list(layout, own, active, counts, max(within, least if least < np.inf else 0.0) + ROOM)
@@ -126,14 +127,23 @@ def measure_groups(
 
 
 @law
-def list_all(layout: PackedLayout, own: Measured, active: Mask, counts: Mask, most: float) -> None:
-    """List all groups; `most` is `greatest_approach` since they were listed last."""
-    if most > FAR:
+def list_all(layout: PackedLayout, own: Measured, active: Mask, counts: Mask) -> None:
+    """List all groups."""
+    if have_moved_far(own):
         lower_bounds(layout, own)
     own.moved_then[:] = own.moved
     for g in range(len(active)):
         own.listed[g], own.reviewed[0, g], own.reviewed[1, g] = g, active[g], counts[g]
     own.listed[len(active)] = len(active)
+
+
+@law
+def have_moved_far(own: Measured) -> bool:
+    """Return whether the motions of a frame add up to more than `FAR`."""
+    far = False
+    for f in range(len(own.moved)):
+        far = far or own.moved[f] > FAR
+    return far
 
 
 @law
@@ -328,8 +338,7 @@ class ClearanceMonitor(Cache):
 
     def place(self, which: Indices) -> Array:
         """Place the solids `which` (k,) at the poses of the last measurement; return all solids, as in `Placing`."""
-        layout = self.layout
-        place_which(layout.solids, layout.frame, self.at, self.moves, self.placed_after, self.solids, which)
+        place_which(*self.layout.packed, self.packed, which)
         return self.solids
 
     def forget(self) -> None:

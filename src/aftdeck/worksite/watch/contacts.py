@@ -148,22 +148,17 @@ class Contacts(StatePart):
     inhibit: Inhibit = UNINHIBITED
 
     def update(self, found: Array, near: Mask, prong: Mask, mode: int) -> Inhibit:
-        """Count the contacts in a step's measurements, those of a `ClearanceMonitor`, and return the flags."""
-        counted = count_frames(found, near, self.count)
-        return self.judge(counted.touching, counted.changed, prong, mode)
-
-    def judge(self, touching: bool, changed: bool, prong: Mask, mode: int, *, inhibits: bool = True) -> Inhibit:
-        """Compute the flags from the present counts and the result of `count_frames`; store and return them.
+        """Count the contacts in a step's measurements; store and return the flags.
 
         Args:
-            touching: at least one group is in contact.
-            changed: a count changed.
+            found: (g, 15) measurements, those of a `ClearanceMonitor`.
+            near: (g,) 1 for groups whose clearance in `found` is finite.
             prong: (g,) 1 for groups of the prong; all 0 for an arm without a prong.
             mode: the report's mode, 1 to 4.
-            inhibits: whether detrimental contacts inhibit motion. If not, the flags `arm` and `finger` stay off.
         """
+        touching, changed = count_frames(found, near, self.count)
         arm, finger = False, False
-        if touching and inhibits:
+        if touching:
             arm, finger = two_frames(self.count, self.essential, self.arm, prong, mode)
         self.inhibit = Inhibit(bool(arm), bool(finger), bool(changed)) if arm or finger or changed else UNINHIBITED
         return self.inhibit

@@ -22,10 +22,11 @@ from aftdeck.bodies.pair_check import measure
 from aftdeck.bodies.pose import turned
 from aftdeck.bodies.vector import dot, minus, plus, put_vector, vector_at
 from aftdeck.law import law
+from aftdeck.lent import lend
 from aftdeck.worksite.watch.groups import CENTRE, POSE, RADIUS, PackedLayout
 
 _SLACK = 1e-9
-"""Margin by which a group's bound is lowered [m]; it is more than the rounding errors."""
+"""Margin by which the bounds of groups and pairs are lowered [m]; it is more than the rounding errors."""
 NEVER = -1
 """In `placed_after`: a solid that was never placed."""
 
@@ -77,9 +78,12 @@ MeasuredArrays = tuple[
 
 @law
 def measured_of(arrays: MeasuredArrays) -> Measured:
-    """Return the arrays of a monitor under their names."""
+    """Return the arrays of a monitor under their names, lent: they have to live until the calling law returns."""
     a, b, c, d, e, f, g, h, i, j, k, m, n, o, p = arrays
-    return Measured(a, b, c, d, e, f, g, h, i, j, k, m, n, o, p)
+    return Measured(
+        lend(a), lend(b), lend(c), lend(d), lend(e), lend(f), lend(g), lend(h), lend(i), lend(j), lend(k), lend(m),
+        lend(n), lend(o), lend(p),
+    )  # fmt: skip
 
 
 @law
@@ -101,9 +105,9 @@ def follow(layout: PackedLayout, own: Measured, frames: Array) -> None:
     travel = np.empty(len(frames))
     travelled(frames, own.at, layout.reach, travel)
     for f in range(len(frames)):
-        if travel[f] > 0.0:
-            own.moved[f] += travel[f]
-        if travel[f] != 0.0:  # also NaN, of a frame without an earlier pose, whose solids have no bounds yet
+        if own.at[f, 0] == own.at[f, 0]:  # a frame without an earlier pose has NaN, and its solids have no bounds yet
+            own.moved[f] += travel[f] if travel[f] == travel[f] else np.inf
+        if travel[f] != 0.0:
             own.moves[f] += 1
             for k in range(POSE):
                 own.at[f, k] = frames[f, k]
@@ -161,14 +165,10 @@ def lower_bounds(layout: PackedLayout, own: Measured) -> None:
 def place_solid(layout: PackedLayout, own: Measured, i: int) -> None:
     """Place solid i in L, unless it is placed at its frame's last pose."""
     f = layout.frame[i]
-    if own.placed_after[i] != own.moves[f]:
-        own.placed_after[i] = own.moves[f]
-        put_at(layout.solids[i], own.at[f], own.placed[i])
-
-
-@law
-def put_at(solid: Array, at: Array, placed: Array) -> None:
-    """Write a packed solid (52,) at a pose (12,) of its frame into `placed` (52,)."""
+    if own.placed_after[i] == own.moves[f]:
+        return
+    own.placed_after[i] = own.moves[f]
+    solid, at, placed = layout.solids[i], own.at[f], own.placed[i]
     place(solid, at, at[3:].reshape(3, 3), placed)
     put_vector(placed, CENTRE, plus(turned(at, vector_at(solid, CENTRE)), vector_at(at, 0)))
     placed[RADIUS] = solid[RADIUS]
@@ -176,14 +176,17 @@ def put_at(solid: Array, at: Array, placed: Array) -> None:
 
 @law
 def place_which(
-    solids: Array, frame: Indices, at: Array, moves: Indices, placed_after: Indices, placed: Array, which: Indices
+    solids: Array,
+    frame: Indices,
+    pairs: Indices,
+    begins: Indices,
+    between_frames: Indices,
+    reach: Array,
+    arrays: MeasuredArrays,
+    which: Indices,
 ) -> None:
-    """Place the solids `which` (k,) as `place_solids` does; the other arguments are those of layout and monitor."""
-    for i in which:
-        f = frame[i]
-        if placed_after[i] != moves[f]:
-            placed_after[i] = moves[f]
-            put_at(solids[i], at[f], placed[i])
+    """Run `place_solids`; the arrays of the layout are separate arguments here."""
+    place_solids(PackedLayout(solids, frame, pairs, begins, between_frames, reach), measured_of(arrays), which)
 
 
 @law
