@@ -317,8 +317,8 @@ class ClearanceMonitor(Cache):
         self.memory, self.pair_bound = np.empty((len(layout.pairs), PAIR)), np.empty(len(layout.pairs))
         self.bound, self.beyond = np.empty(groups), np.empty(3)
         self.moved, self.moved_then = np.empty(frames), np.empty(frames)
-        self.at, self.solids = np.empty((frames, POSE)), np.zeros((solids, SOLID))
-        self.moves, self.placed_after = np.zeros(frames, np.int64), np.empty(solids, np.int64)
+        self.at, self.solids = np.full((frames, POSE), np.nan), np.zeros((solids, SOLID))
+        self.moves, self.placed_after = np.zeros(frames, np.int64), np.full(solids, NEVER, np.int64)
         self.near, self.reviewed = np.zeros(groups, np.uint8), np.zeros((2, groups), np.uint8)
         self.least = -np.inf
         self.pack()
@@ -342,11 +342,11 @@ class ClearanceMonitor(Cache):
         return self.solids
 
     def forget(self) -> None:
-        """Discard the remembered data. This does not change the result of the next measurement."""
+        """Discard the remembered data. This changes neither where the solids are nor the result of a measurement."""
         self.likely[:] = self.layout.begins[:-1]
         self.memory[:] = 0.0
         self.bound[:] = self.pair_bound[:] = self.beyond[:] = -np.inf
-        self.at[:], self.moved[:], self.moved_then[:], self.placed_after[:] = np.nan, 0.0, 0.0, NEVER
+        self.moved[:] = self.moved_then[:] = 0.0
 
     def update(self, before: Array, now: Array, period: float) -> None:
         """Measure all active groups and write the results into `found`; other groups get the clearance inf in `found`.
