@@ -116,12 +116,12 @@ def _pin_inside(world: World, aligning: Aligning, now: Motion) -> bool:
     for k in range(len(world.fixtures)):
         if world.fixtures[k, 0] != world.fixtures[k, 0]:  # NaN: no fixture
             continue
-        (out, y, z), turned = fixture_in_effector(
+        (out, y, z), attitude = fixture_in_effector(
             now.frames, world.hand[0], world.effector, world.rows[k], world.fixtures[k]
         )
         away = sqrt(out * out + y * y + z * z)
         if away < nearest:
-            nearest, inside = away, inside_envelope(aligning.envelope, out, y, z, turned)
+            nearest, inside = away, inside_envelope(aligning.envelope, out, y, z, attitude)
     return inside
 
 

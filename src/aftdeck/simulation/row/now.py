@@ -151,7 +151,7 @@ def tables_of(layout: Layout, joints: int, singularities: int, payloads: int) ->
         "moved_then": (len(layout.frames),), "beyond": (3,), "pair_bound": (len(layout.pairs),),
         "memory": (len(layout.pairs), PAIR), "found": (*groups, FOUND), "snare": (SNARE,), "carrier": (payloads,),
         "likely": groups, "moves": (len(layout.frames),), "placed_after": (len(layout.solids),),
-        "listed": (len(layout.groups) + 1,), "reviewed": (2, *groups),
+        "listed": (len(layout.groups) + 1,), "reviewed": (2 * len(layout.groups),),
         "zones": (joints,), "singular": (singularities,), "advice": (singularities + joints,),
         "ways": (singularities + joints, 3),
     }  # fmt: skip
@@ -194,7 +194,7 @@ def watch_of(flat: Flat) -> Watch:
         block(numbers, own, 15), block(numbers, own, 16), line(numbers, own, 17), line(numbers, own, 18),
         line(numbers, own, 19), line(numbers, own, 20), line(numbers, own, 21), block(numbers, own, 22),
         block(numbers, own, 23), line(flat.indices, whole, 1), line(flat.indices, whole, 2),
-        line(flat.indices, whole, 3), line(flat.indices, whole, 4), line(marks, flags, 0), block(marks, flags, 1),
+        line(flat.indices, whole, 3), line(flat.indices, whole, 4), line(marks, flags, 0), line(marks, flags, 1),
         line(marks, flags, 2), line(marks, flags, 3), line(marks, flags, 4), line(marks, flags, 5),
         line(marks, flags, 6), line(marks, flags, 7), line(marks, flags, 8),
     )  # fmt: skip

@@ -132,9 +132,10 @@ def list_all(layout: PackedLayout, own: Measured, active: Mask, counts: Mask) ->
     if have_moved_far(own):
         lower_bounds(layout, own)
     own.moved_then[:] = own.moved
-    for g in range(len(active)):
-        own.listed[g], own.reviewed[0, g], own.reviewed[1, g] = g, active[g], counts[g]
-    own.listed[len(active)] = len(active)
+    groups = len(active)
+    for g in range(groups):
+        own.listed[g], own.reviewed[g], own.reviewed[groups + g] = g, active[g], counts[g]
+    own.listed[groups] = groups
 
 
 @law
@@ -149,9 +150,9 @@ def have_moved_far(own: Measured) -> bool:
 @law
 def same_groups(own: Measured, active: Mask, counts: Mask) -> bool:
     """Return whether the same groups are active and count as when the groups were listed."""
-    changed = 0
-    for g in range(len(active)):
-        changed |= (own.reviewed[0, g] ^ active[g]) | (own.reviewed[1, g] ^ counts[g])
+    changed, groups = 0, len(active)
+    for g in range(groups):
+        changed |= (own.reviewed[g] ^ active[g]) | (own.reviewed[groups + g] ^ counts[g])
     return changed == 0
 
 
@@ -319,7 +320,7 @@ class ClearanceMonitor(Cache):
         self.moved, self.moved_then = np.empty(frames), np.empty(frames)
         self.at, self.solids = np.full((frames, POSE), np.nan), np.zeros((solids, SOLID))
         self.moves, self.placed_after = np.zeros(frames, np.int64), np.full(solids, NEVER, np.int64)
-        self.near, self.reviewed = np.zeros(groups, np.uint8), np.zeros((2, groups), np.uint8)
+        self.near, self.reviewed = np.zeros(groups, np.uint8), np.zeros(2 * groups, np.uint8)
         self.least = -np.inf
         self.pack()
         self.forget()

@@ -50,7 +50,7 @@ class Measured(NamedTuple):
         placed_after: (n,) number of its frame's motions after which a solid was placed; `NEVER` before.
         listed: (g + 1,) groups that may be near, in their order; the last entry is their number.
         near: (g,) 1 for groups whose clearance in `found` is finite.
-        reviewed: (2, g) the groups that were active, and those that counted, when the groups were listed.
+        reviewed: (2 g,) the groups that were active when the groups were listed, and then those that counted.
     """
 
     at: Array
