@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from typing import cast
 
 import numpy as np
 
@@ -55,12 +56,11 @@ def checked(given: object, controls: Sequence[Control]) -> list[float]:
     Raises:
         InputError: it has another shape, or a control is outside [-1, 1] or not a number.
     """
-    if type(given) is np.ndarray and given.dtype == np.float32 and given.shape == (len(controls),):
-        values: list[float] = given.tolist()
-        if all([-1.0 <= value <= 1.0 for value in values]):
-            return values
-    actions = shaped(given, controls, 1)
-    if error := outside(actions, controls):
+    plain = type(given) is np.ndarray and given.dtype == np.float32 and given.shape == (len(controls),)
+    action = (
+        cast("Floats32", given) if plain else shaped(given, controls, 1)[0]
+    )  # a plain one takes a quarter of the time
+    values: list[float] = action.tolist()
+    if not all([-1.0 <= value <= 1.0 for value in values]) and (error := outside(action[None], controls)):
         raise error
-    checked_values: list[float] = actions[0].tolist()
-    return checked_values
+    return values

@@ -11,7 +11,7 @@ from aftdeck.simulation.operator.holds import hold_position
 from aftdeck.simulation.operator.panel import operate
 from aftdeck.simulation.payloads.disturbances import disturb
 from aftdeck.simulation.payloads.surroundings import surroundings
-from aftdeck.simulation.period.period import STEERED, UNCHANGED
+from aftdeck.simulation.period.period import NOTHING, UNCHANGED
 from aftdeck.simulation.period.quick import command_motion, quick_step
 from aftdeck.simulation.state import State
 from aftdeck.simulation.work import update_worksite
@@ -59,13 +59,13 @@ def go(
             return reached
         log = log if most == 1 else state.log(flight.scenario.control_period)
     else:
-        reached = STEERED
+        reached = NOTHING
     return complete(flight, state, log, inputs, reached, observes=observes)
 
 
 def complete(flight: Flight, state: State, log: Log, inputs: Inputs, reached: int, *, observes: bool) -> int:
     """Complete a step that compiled code has made as far as `reached`; arguments and result are those of `go`."""
-    if reached == STEERED:
+    if reached == NOTHING:
         # steer, as far as contacts, berths and walls allow; move the plant, with what disturbs it
         telescope = command_motion(flight, state, inputs)
         disturb(flight, state, log, inputs)

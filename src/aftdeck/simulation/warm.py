@@ -38,7 +38,7 @@ from aftdeck.simulation.payloads.fixing import conditions_at
 from aftdeck.simulation.payloads.grasp import attach, carried_by, empty_grasp, start_free_flight
 from aftdeck.simulation.payloads.objective import present_objective
 from aftdeck.simulation.payloads.task_phases import change_task, task_of
-from aftdeck.simulation.period.period import DRIVEN, STEERED
+from aftdeck.simulation.period.period import DRIVEN, NOTHING
 from aftdeck.simulation.state import State
 from aftdeck.simulation.step import step
 from aftdeck.state_part import digest
@@ -118,6 +118,6 @@ def _carry(flight: Flight, state: State) -> None:
 def _rest_of_step(flight: Flight, state: State) -> None:
     """Make the part of a step that follows the steering, as far as Python can make it."""
     log = state.log(flight.scenario.control_period)
-    complete(flight, state, log, Inputs(), DRIVEN if state.plant.bodies is None else STEERED, observes=True)
+    complete(flight, state, log, Inputs(), DRIVEN if state.plant.bodies is None else NOTHING, observes=True)
     count(flight, state)
     log_arm_events(flight, state, log, complete=False)

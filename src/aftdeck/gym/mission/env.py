@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from functools import lru_cache
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, ClassVar
+from typing import Any, ClassVar
 
 from aftdeck.errors import InputError, ScenarioError
 from aftdeck.export.pictures import Pixels
@@ -31,9 +31,6 @@ from aftdeck.simulation.run import Simulation
 from aftdeck.task.reached import Since, reached
 from aftdeck.task.remaining import Aims, Remaining
 from aftdeck.visual.picture import Look
-
-if TYPE_CHECKING:
-    pass
 
 _TRIES = 100
 """Greatest number of random starts that are tried until one has no contact."""

@@ -29,12 +29,7 @@ from aftdeck.worksite.capture.snares import fixture_in_effector
 from aftdeck.worksite.watch.clearance_monitor import ClearanceMonitor
 from aftdeck.worksite.watch.found import CLEARANCE
 from aftdeck.worksite.watch.groups import PackedLayout
-from aftdeck.worksite.watch.measured import (
-    Measured,
-    MeasuredArrays,
-    measured_of,
-    place_solids,
-)
+from aftdeck.worksite.watch.measured import Measured, MeasuredArrays, measured_of, place_solids
 
 
 def permitted(flight: Flight, state: State, watch: ClearanceMonitor, frames: Array) -> Mask:

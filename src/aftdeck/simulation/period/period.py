@@ -33,9 +33,9 @@ from aftdeck.simulation.row.scalars import (
 )
 from aftdeck.worksite.watch.found import CLEARANCE
 
-STEERED, DRIVEN, MOVED, JUDGED, ATTACHED, COUNTED, OBSERVED, UNCHANGED = range(8)
-"""How far a control period has come: see `advance`. `STEERED`: nothing was done, on a plant with masses. No step ends
-at `MOVED`."""
+NOTHING, DRIVEN, MOVED, JUDGED, ATTACHED, COUNTED, OBSERVED, UNCHANGED = range(8)
+"""How far a control period has come: see `advance`. `NOTHING`: on a plant with masses, before Python code moves its
+bodies. No step ends at `MOVED`."""
 FARTHEST = 1e300
 """Minimum clearance if no pair counts [m]."""
 

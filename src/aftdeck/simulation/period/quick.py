@@ -124,7 +124,7 @@ def move_prong(flight: Flight, state: State) -> None:
 
 
 def take(flight: Flight, state: State, reached: int) -> None:
-    """Take the single values of the state and the free flights from its row; the arguments are `_take_values`'s."""
+    """Take the single values of the state and the free flights from its row; arguments as for `_take_values`."""
     _take_values(flight, state, reached)
     if state.row.floats and (reached >= JUDGED or state.row.values[MADE] > 1.0):
         _take_flights(state)

@@ -38,7 +38,7 @@ from aftdeck.worksite.watch.found import (
     SPEED,
     WHICH,
 )
-from aftdeck.worksite.watch.groups import POSE, SOLID, Layout, PackedLayout
+from aftdeck.worksite.watch.groups import POSE, SOLID, Layout, LayoutArrays, PackedLayout, layout_from
 from aftdeck.worksite.watch.measured import (
     NEVER,
     Measured,
@@ -55,30 +55,23 @@ from aftdeck.worksite.watch.motion import motion, velocity
 ROOM = 0.25
 """How much a group's bound may exceed the limit below which it matters, and the group is listed [m] (assumed): with
 less, groups are listed again sooner; with more, each step examines more of them."""
-
 FAR = 10.0
 """Sum of a frame's motions after which all bounds are lowered by them, and the sums begin at 0 again [m] (assumed)."""
 
 
 @law
 def watch(
-    solids: Array,
-    frame: Indices,
-    pairs: Indices,
-    begins: Indices,
-    between_frames: Indices,
-    reach: Array,
+    layout: LayoutArrays,
     active: Mask,
     counts: Mask,
     before: Array,
     now: Array,
     period: float,
     within: float,
-    arrays: MeasuredArrays,
+    own: MeasuredArrays,
 ) -> None:
-    """Run `measure_groups`; the arrays of the layout are separate arguments here."""
-    layout = PackedLayout(solids, frame, pairs, begins, between_frames, reach)
-    measure_groups(layout, measured_of(arrays), active, counts, before, now, period, within)
+    """Run `measure_groups`."""
+    measure_groups(layout_from(layout), measured_of(own), active, counts, before, now, period, within)
 
 
 @law
@@ -339,7 +332,7 @@ class ClearanceMonitor(Cache):
 
     def place(self, which: Indices) -> Array:
         """Place the solids `which` (k,) at the poses of the last measurement; return all solids, as in `Placing`."""
-        place_which(*self.layout.packed, self.packed, which)
+        place_which(self.layout.arrays, self.packed, which)
         return self.solids
 
     def forget(self) -> None:
@@ -366,7 +359,7 @@ class ClearanceMonitor(Cache):
         arguments are those of `update`.
         """
         self.least = -np.inf
-        watch(*self.layout.packed, self.active, counts, before, now, period, within, self.packed)
+        watch(self.layout.arrays, self.active, counts, before, now, period, within, self.packed)
 
     def nearest(self, counts: Mask) -> int:
         """Return the group of least clearance among groups with a 1 in `counts` (g,); -1 if none was measured."""

@@ -11,7 +11,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from aftdeck.arrays import Array, Indices, Mask
+from aftdeck.arrays import Array, Mask
 from aftdeck.bodies import pair as packed
 from aftdeck.bodies.pair import CONTACT
 from aftdeck.bodies.pair_check import measure
@@ -20,7 +20,7 @@ from aftdeck.bodies.vector import Vector, dot, minus, vector_at
 from aftdeck.law import large_law, law
 from aftdeck.worksite.watch.clearance_monitor import ClearanceMonitor, copy_pair, way_apart
 from aftdeck.worksite.watch.found import CLEARANCE, FOUND, NORMAL, POINT_A, POINT_B
-from aftdeck.worksite.watch.groups import PackedLayout
+from aftdeck.worksite.watch.groups import LayoutArrays, PackedLayout, layout_from
 from aftdeck.worksite.watch.measured import (
     Measured,
     MeasuredArrays,
@@ -169,26 +169,11 @@ def _displacement(at: Array, after: Array, point: Vector) -> Vector:
 
 
 @law
-def tried(
-    solids: Array,
-    frame: Indices,
-    pairs: Indices,
-    begins: Indices,
-    between_frames: Indices,
-    reach: Array,
-    counts: Mask,
-    harmful: Mask,
-    after: Array,
-    arrays: MeasuredArrays,
-) -> PredictedContacts:
-    """Return the prediction for a motion that ends at the poses `after` (F, 12).
-
-    The arrays of the layout are separate arguments here.
-    """
-    layout = PackedLayout(solids, frame, pairs, begins, between_frames, reach)
-    return predict_contacts(layout, apart(measured_of(arrays)), counts, harmful, after)
+def tried(layout: LayoutArrays, own: MeasuredArrays, counts: Mask, harmful: Mask, after: Array) -> PredictedContacts:
+    """Return the prediction for a motion that ends at the poses `after` (F, 12)."""
+    return predict_contacts(layout_from(layout), apart(measured_of(own)), counts, harmful, after)
 
 
 def trial_of(watch: ClearanceMonitor, counts: Mask, harmful: Mask, after: Array) -> PredictedContacts:
     """Return the effect of a motion that ends at the poses `after` (F, 12); the other arguments: `predict_contacts`."""
-    return tried(*watch.layout.packed, counts & watch.active, harmful, after, watch.packed)
+    return tried(watch.layout.arrays, watch.packed, counts & watch.active, harmful, after)

@@ -20,6 +20,8 @@ from aftdeck.bodies.hexahedron import BODY, VERTICES
 from aftdeck.bodies.hexahedron_check import hexahedra
 from aftdeck.bodies.solid import Solid
 from aftdeck.errors import InputError
+from aftdeck.law import law
+from aftdeck.lent import lend
 from aftdeck.matrices import lengths
 
 PartPair = tuple[str, str]
@@ -49,6 +51,17 @@ class PackedLayout(NamedTuple):
     reach: Array
 
 
+LayoutArrays = tuple[Array, Indices, Indices, Indices, Indices, Array]
+"""The arrays of a `PackedLayout`, as Python passes them to a law."""
+
+
+@law
+def layout_from(arrays: LayoutArrays) -> PackedLayout:
+    """Return the arrays of a layout under their names, lent: they have to live until the calling law returns."""
+    a, b, c, d, e, f = arrays
+    return PackedLayout(lend(a), lend(b), lend(c), lend(d), lend(e), lend(f))
+
+
 class Layout(msgspec.Struct, frozen=True, eq=False, dict=True):
     """The solids of a run in packed arrays, all read-only. Every index counts from zero."""
 
@@ -76,6 +89,11 @@ class Layout(msgspec.Struct, frozen=True, eq=False, dict=True):
     def packed(self) -> PackedLayout:
         """Arrays that the laws read."""
         return PackedLayout(self.solids, self.frame, self.pairs, self.begins, self.between_frames, self.reach)
+
+    @cached_property
+    def arrays(self) -> LayoutArrays:
+        """The same arrays as a plain tuple."""
+        return self.solids, self.frame, self.pairs, self.begins, self.between_frames, self.reach
 
     @cached_property
     def all_solids(self) -> Indices:

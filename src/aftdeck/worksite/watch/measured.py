@@ -23,7 +23,7 @@ from aftdeck.bodies.pose import turned
 from aftdeck.bodies.vector import dot, minus, plus, put_vector, vector_at
 from aftdeck.law import law
 from aftdeck.lent import lend
-from aftdeck.worksite.watch.groups import CENTRE, POSE, RADIUS, PackedLayout
+from aftdeck.worksite.watch.groups import CENTRE, POSE, RADIUS, LayoutArrays, PackedLayout, layout_from
 
 _SLACK = 1e-9
 """Margin by which the bounds of groups and pairs are lowered [m]; it is more than the rounding errors."""
@@ -40,8 +40,8 @@ class Measured(NamedTuple):
         bound: (g,) lower bound of each group's clearance, before the motions in `moved` [m].
         moved: (F,) upper bound of the displacement of each frame's points, summed over its motions [m].
         moved_then: (F,) `moved` when the groups were listed.
-        beyond: (3,) lower bound of the clearances of the active groups that are not listed, when they were not; the
-            same for those that count; and the clearance up to which all groups were measured then [m].
+        beyond: (3,) values from when the groups were listed [m]: lower bound of the clearances of the active groups
+            that are not listed; the same for those of them that count; clearance up to which all were measured.
         pair_bound: (m,) lower bound of the clearance of each pair of solids, as `bound` is of each group's [m].
         memory: (m, 17) remembered data of each pair of solids.
         found: (g, 15) the last measurements, rows as in `worksite.watch.found`.
@@ -175,18 +175,9 @@ def place_solid(layout: PackedLayout, own: Measured, i: int) -> None:
 
 
 @law
-def place_which(
-    solids: Array,
-    frame: Indices,
-    pairs: Indices,
-    begins: Indices,
-    between_frames: Indices,
-    reach: Array,
-    arrays: MeasuredArrays,
-    which: Indices,
-) -> None:
-    """Run `place_solids`; the arrays of the layout are separate arguments here."""
-    place_solids(PackedLayout(solids, frame, pairs, begins, between_frames, reach), measured_of(arrays), which)
+def place_which(layout: LayoutArrays, own: MeasuredArrays, which: Indices) -> None:
+    """Run `place_solids`."""
+    place_solids(layout_from(layout), measured_of(own), which)
 
 
 @law
