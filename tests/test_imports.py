@@ -87,7 +87,7 @@ LAYER = {name: rank for rank, names in enumerate(LAYERS) for name in names}
 
 WITHIN: dict[str, tuple[tuple[str, ...], ...]] = {
     "worksite": (
-        ("tables", "conditions", "log_line", "free_flight", "body", "payload", "relation"),
+        ("within", "tables", "conditions", "log_line", "free_flight", "body", "payload", "relation"),
         ("watch", "draw_in"),
         ("report",),
         ("berths", "capture"),

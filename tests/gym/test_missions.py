@@ -103,19 +103,19 @@ def test_careful_policy_acquires_with_the_concept_arm_and_docks_with_masses() ->
 def test_rewards_of_an_episode_add_up_to_the_motion_made_and_the_time() -> None:
     env = DockEnv()
     env.reset(seed=2)
-    first = env._left
+    first = env.left
     rewards, _, success = flown(env, 2)
-    last = env._left
+    last = env.left
     assert first is not None and last is not None and success
     motion = 5.0 * (first.distance - last.distance) + 5.0 * (first.angle - last.angle)
     assert sum(rewards) == pytest.approx(motion - 0.05 * 0.1 * len(rewards) + 10.0, abs=1e-9)
 
 
-def test_change_of_the_place_is_neither_rewarded_nor_punished() -> None:
+def test_place_that_appears_is_neither_rewarded_nor_punished() -> None:
     env = DockEnv()
     env.reset(seed=2)
-    assert env._left is not None
-    env._left = env._left._replace(to="elsewhere", distance=100.0, angle=3.0)
+    assert env._scored is not None
+    env._scored = env._scored._replace(aims=False, distance=100.0, angle=3.0)
     _, reward, *_ = env.step(np.zeros(len(env.mission.controls), dtype=np.float32))
     assert reward == pytest.approx(-0.05 * 0.1)
 

@@ -45,7 +45,7 @@ def anywhere(seed: int, bodies: list[Array]) -> list[Array]:
 def names(bodies: list[Array]) -> set[str]:
     """Return the names of the failed conditions."""
     _, found = found_at(bodies)
-    return {condition.name for condition in failing(acquisition(found, TOLERANCES))}
+    return {condition.name for condition in failing(acquisition(found, TOLERANCES.packed()))}
 
 
 @settings(max_examples=60, deadline=None)
@@ -73,7 +73,7 @@ def test_conditions_agree_with_half_space_arithmetic(seed: int) -> None:
     }
     for k, value in expected.items():
         assert found[k] == pytest.approx(value, abs=1e-12)
-    conditions = acquisition(found, TOLERANCES)
+    conditions = acquisition(found, TOLERANCES.packed())
     assert taken == all_hold(conditions)
     held_by = [
         expected[PALM] >= 0.0,
@@ -201,17 +201,17 @@ def test_prong_side_does_not_depend_on_the_coordinate_frame(seed: int) -> None:
 def test_fingers_are_not_tested_beyond_their_distance() -> None:
     taken, found = found_at([*over(height=8.5), bar()])
     assert not taken
-    conditions = {condition.name: condition for condition in acquisition(found, TOLERANCES)}
+    conditions = {condition.name: condition for condition in acquisition(found, TOLERANCES.packed())}
     assert conditions["palm over bar"].holds
     prong = conditions["prong beside bar"]
     assert not prong.holds and (prong.value, prong.limit) == pytest.approx((8.5 * FOOT, 8.0 * FOOT))
-    near = acquisition(found_at([*over(height=7.9), bar()])[1], TOLERANCES)
+    near = acquisition(found_at([*over(height=7.9), bar()])[1], TOLERANCES.packed())
     assert {condition.name for condition in failing(near)} == {"palm height"}
 
 
 def test_rejected_capture_lists_the_failed_conditions() -> None:
     _, found = found_at([*over(height=2.5 / 12.0, along=1.3, spacing=1.6), bar()])
-    conditions = acquisition(found, TOLERANCES)
+    conditions = acquisition(found, TOLERANCES.packed())
     assert {c.name: (c.value, c.limit) for c in failing(conditions)} == {
         "prong closed": pytest.approx((1.6 * FOOT, 0.8 * FOOT)),
         "palm height": pytest.approx((2.5 / 12.0 * FOOT, FOOT / 16.0)),
@@ -231,7 +231,7 @@ def test_closing_the_prong_over_the_bar_acquires_it() -> None:
         time = tick * 0.02
         height, spacing = max(0.03, 4.0 - 0.5 * time), 1.625 - 0.25 * max(0.0, time - down)
         taken, found = found_at([*over(0.3, 0.06, height, spacing=spacing), bar()])
-        for condition in acquisition(found, TOLERANCES):
+        for condition in acquisition(found, TOLERANCES.packed()):
             if condition.holds:
                 held.setdefault(condition.name, time)
             else:

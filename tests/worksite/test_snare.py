@@ -13,6 +13,7 @@ from hypothesis import strategies as st
 from numpy.typing import NDArray
 from scipy.spatial.transform import Rotation
 
+from aftdeck.bodies.placed import rows_of
 from aftdeck.bodies.pose import row_of
 from aftdeck.frames import Pose, endori
 from aftdeck.tuples import Rows, Vec3
@@ -30,11 +31,11 @@ Fixture = tuple[Vec3, Rows]
 
 
 def near(position: Vec3 = (0.05, 0.0, 0.0), turn: NDArray[np.float64] | None = None) -> Fixture:
-    return position, (np.eye(3) if turn is None else turn).tolist()
+    return position, rows_of(np.eye(3) if turn is None else turn)
 
 
-INSIDE = in_envelope(near(), ENVELOPE)
-BESIDE = in_envelope(near((0.05, 5.2 * INCH, 0.0)), ENVELOPE)
+INSIDE = in_envelope(near(), ENVELOPE.packed)
+BESIDE = in_envelope(near((0.05, 5.2 * INCH, 0.0)), ENVELOPE.packed)
 
 
 def fly(
@@ -79,8 +80,8 @@ RIGID_PIN = fly(Snare(), capture(AUTO), 14.0, conditions=INSIDE)[0]
     ],
 )
 def test_capture_envelope_ends_at_its_limits(name: str, inside: Fixture, outside: Fixture) -> None:
-    assert all_hold(in_envelope(inside, ENVELOPE))
-    assert [condition.name for condition in failing(in_envelope(outside, ENVELOPE))] == [name]
+    assert all_hold(in_envelope(inside, ENVELOPE.packed))
+    assert [condition.name for condition in failing(in_envelope(outside, ENVELOPE.packed))] == [name]
 
 
 # --- the sequences

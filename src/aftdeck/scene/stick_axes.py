@@ -8,11 +8,8 @@ from aftdeck.bodies.placed import matrix_product, rows_of, transposed
 from aftdeck.frames import rotation_x
 from aftdeck.scenario.model import Scenario
 from aftdeck.simulation.frame import Frame
-from aftdeck.steering.mode import MODES
+from aftdeck.steering.mode import MODES, ORB_LD_TURNING
 from aftdeck.tuples import UNTURNED, Rows
-
-MIXED = 7
-"""Number of the steering law in which the RHC acts about the payload's axes, and the THC along the orbiter's."""
 
 
 class StickAxes:
@@ -36,6 +33,6 @@ class StickAxes:
         """Return the axes of the THC and of the RHC, in columns, in L; they differ in mode 7 only."""
         axes = self.in_panel(frame)
         moving = self._to_l if axes is UNTURNED else matrix_product(self._to_l, axes)
-        if frame.law == MIXED and frame.payload is not None:
+        if frame.law == ORB_LD_TURNING and frame.payload is not None:
             return moving, frame.payload.orientation
         return moving, moving

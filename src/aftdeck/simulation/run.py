@@ -27,6 +27,7 @@ from aftdeck.simulation.observe.look_work import all_near
 from aftdeck.simulation.payloads.disturbances import check_disturbances
 from aftdeck.simulation.plain import only_moves, plain_inputs, whole
 from aftdeck.simulation.series.series import Series
+from aftdeck.simulation.state import State
 from aftdeck.simulation.step import step
 from aftdeck.simulation.summary import Summary, Tally
 from aftdeck.state_part import digest, encoded
@@ -98,6 +99,11 @@ class Simulation:
         vars(self).update((name, value) for name, value in fields.items() if name != "_saved")
         self._base, self._ready = run_constants(self.scenario, gauged=self._gauged), {}
         self._flight, self._state = resumed(self._base, saved, gauged=self._gauged)
+
+    @property
+    def parts(self) -> tuple[Flight, State]:
+        """Constants of the run and its state, for functions that read the state's row; nothing else changes them."""
+        return self._flight, self._state
 
     @property
     def in_force(self) -> Scenario:

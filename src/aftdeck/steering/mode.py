@@ -63,6 +63,8 @@ class Mode:
 
 ORB_UNL = 4
 """Number of the law of ORB UNL, for whose axes ways out are shown in modes without sticks."""
+ORB_LD_TURNING = 7
+"""Number of the law of ORB LD in which the RHC acts about the payload's axes, and the THC along the orbiter's."""
 _ORBITER = ("+X fwd", "+Y stbd", "+Z down")
 _AUTO = (2, 1, 3)
 
@@ -81,7 +83,8 @@ MODES: dict[str, Mode] = {
             ("+X out", "+Y right", "+Z down"),
         ),
         Mode(
-            "ORB LD", (4, 7), "payload along the orbiter's axes", "manual", "payload", "orbiter axes", _ORBITER,
+            "ORB LD", (ORB_UNL, ORB_LD_TURNING), "payload along the orbiter's axes", "manual", "payload",
+            "orbiter axes", _ORBITER,
         ),
         Mode(
             "PL", (6,), "payload along its own axes", "manual", "payload", "payload axes",

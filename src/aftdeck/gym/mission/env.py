@@ -16,7 +16,7 @@ from aftdeck.gym.mission import definition
 from aftdeck.gym.mission.actions import Rate, inputs_of, repeats_of
 from aftdeck.gym.mission.definition import CAPTURE, DOCK, EXTRACT, Mission
 from aftdeck.gym.mission.episode import started
-from aftdeck.gym.mission.observation import Observer
+from aftdeck.gym.mission.observation import Observer, Scored, may_be_done
 from aftdeck.gym.mission.starts import Starts, base_of, step_of
 from aftdeck.gym.picture import HEIGHT, MODES, WIDTH, Pictures
 from aftdeck.gym.shown import ShownEnv
@@ -90,10 +90,10 @@ class MissionEnv(ShownEnv):
         self._sim.restart(base)
         frame = self._sim.step(self._first_inputs())
         self._starts = Starts(loaded, self._step, base, self.mission.spread, frame)
-        self._observer = Observer(loaded, frame)
+        self._observer = Observer(loaded, self._step, frame)
         self.observation_space, self.action_space = self._observer.space, action_space(self.mission.controls)
         self._since = Since(frame.position, frame.orientation)
-        self._left: Remaining | None = None
+        self._scored: Scored | None = None
         self._begun = False
         self._rate: Rate = "coarse"
         self.start: Start | None = None
@@ -115,7 +115,7 @@ class MissionEnv(ShownEnv):
     @property
     def left(self) -> Remaining | None:
         """Remaining motion to the place of the task; None if there is no place to move to."""
-        return self._left
+        return self._aims.remaining(self._sim.look(), self._step)
 
     def reset(
         self, *, seed: int | None = None, options: dict[str, Any] | None = None
@@ -129,12 +129,12 @@ class MissionEnv(ShownEnv):
         no_options(options)
         frame = self._begin()
         self._since = Since(frame.position, frame.orientation)
-        self._left = self._aims.remaining(frame, self._step)
+        observation, self._scored = self._observer.of(self._sim)
         self._begun, self._rate = True, "coarse"
         if self.station is not None and self.start is not None:
             self.station.begin(started(self._sim.scenario, self.start, self._step))
             self.station.step(self._first_inputs())
-        return self._observer.of(frame, self._left), {"is_success": False}
+        return observation, {"is_success": False}
 
     def step(self, action: Floats32) -> tuple[Floats32, float, bool, bool, dict[str, Any]]:
         """Make one step.
@@ -155,14 +155,18 @@ class MissionEnv(ShownEnv):
             self._sim.hold(inputs, self._repeats)
         else:
             self._each(inputs)
-        frame = self._sim.look()
-        before, self._left = self._left, self._aims.remaining(frame, self._step)
-        contact = _detrimental(frame)
-        success = reached(self._aims, self._step, self._step.done, frame, self._since)
-        success = success and not (contact and self.mission.contact_ends)
-        reward = _reward(before, self._left, contact, success)
-        over = success or (contact and self.mission.contact_ends)
-        return self._observer.of(frame, self._left), reward, over, False, {"is_success": success}
+        before = self._scored
+        observation, self._scored = self._observer.of(self._sim)
+        success = self._succeeds(self._scored)
+        over = success or (self._scored.contact and self.mission.contact_ends)
+        return observation, _reward(before, self._scored, success), over, False, {"is_success": success}
+
+    def _succeeds(self, scored: Scored) -> bool:
+        """Return whether the last step has completed the task."""
+        if not may_be_done(self._step.done, self._sim.parts[1].worksite, scored):
+            return False
+        done = reached(self._aims, self._step, self._step.done, self._sim.look(), self._since)
+        return done and not (scored.contact and self.mission.contact_ends)
 
     def _each(self, inputs: Inputs) -> None:
         """Make the control steps of a step, and show each of them."""
@@ -217,13 +221,13 @@ def _detrimental(frame: Frame) -> bool:
     return any(not contact.essential for contact in frame.work.contacts)
 
 
-def _reward(before: Remaining | None, after: Remaining | None, contact: bool, success: bool) -> float:
+def _reward(before: Scored | None, after: Scored, success: bool) -> float:
     """Return the reward of a step, from the motion that was left and that is left."""
     reward = definition.TIME.weight * definition.PERIOD + definition.SUCCESS.weight * success
-    reward += definition.CONTACT.weight * definition.PERIOD * contact
-    if before is not None and after is not None and before.to == after.to:
+    reward += definition.CONTACT.weight * definition.PERIOD * after.contact
+    if before is not None and before.aims and after.aims:
         reward += definition.DISTANCE.weight * (before.distance - after.distance)
-        reward += definition.ROTATION.weight * (abs(before.angle) - abs(after.angle))
+        reward += definition.ROTATION.weight * (before.angle - after.angle)
     return reward
 
 

@@ -60,10 +60,9 @@ class MissionPilot:
             self._inputs = Inputs(mode=self._step.mode, rate="coarse")
             return self._inputs
         if self._observer is None:
-            self._observer = Observer(self._scenario, frame)
+            self._observer = Observer(self._scenario, self._step, frame)
         if frame.tick >= self._until:
-            left = self._aims.remaining(frame, self._step)
-            action = self._policy.act(self._observer.of(frame, left)).tolist()
+            action = self._policy.act(self._observer.of(sim)[0]).tolist()
             self._inputs, self._until = inputs_of(self._mission, action, self._rate), frame.tick + self._repeats
             self._rate = self._inputs.rate or self._rate
         return self._inputs

@@ -29,7 +29,7 @@ from aftdeck.simulation.row.scalars import (
     WORKS,
 )
 from aftdeck.simulation.row.world import MOST, MOST_ANGLE, ONLY_Y, World, pairs_of, world_of
-from aftdeck.worksite.berths.docking import BEFORE, DISTANCE, FOUND, INSIDE, TURNED
+from aftdeck.worksite.berths.docking import CONDITIONS, FOUND, docking_met
 from aftdeck.worksite.berths.on_way import NEAR
 from aftdeck.worksite.capture.acquisition import acquired_bar
 from aftdeck.worksite.capture.effector import BEGINS, MOVES
@@ -60,7 +60,7 @@ def attached(flat: Flat) -> bool:
         begin, end = world.berth_begins[held], world.berth_begins[held + 1]
         number = nearest_place(now.frames, world.rows[held], world.berths[begin:end], world.places[begin:end], NEAR)
         if number >= 0 and world.by_itself[begin + number] != 0:
-            berths = berths or docks(world, now, held, begin + number)
+            berths = berths or _docks(world, now, held, begin + number)
     if held < 0:
         v[TASK] = ACQUISITION
     elif v[AT_PORT] != 0.0:
@@ -126,13 +126,8 @@ def _pin_inside(world: World, aligning: Aligning, now: Motion) -> bool:
 
 
 @law
-def docks(world: World, now: Motion, held: int, berth: int) -> bool:
-    """Return whether the conditions of docking hold for the held payload at a port (`berths.docking`)."""
+def _docks(world: World, now: Motion, held: int, berth: int) -> bool:
+    """Return whether the conditions of docking hold for the held payload at a port."""
     port, found = world.ports[berth], np.empty(FOUND)
     approached(world, now.frames, held, berth, found)
-    angle = found[TURNED + 1]
-    if port[ONLY_Y] == 0.0:
-        angle = max(found[TURNED], angle, found[TURNED + 2])
-    return bool(
-        found[BEFORE] >= 0.0 and found[INSIDE] >= 0.0 and found[DISTANCE] <= port[MOST] and angle <= port[MOST_ANGLE]
-    )
+    return docking_met(found, port[MOST], port[MOST_ANGLE], port[ONLY_Y] != 0.0) == CONDITIONS

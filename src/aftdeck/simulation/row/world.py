@@ -43,7 +43,7 @@ class World(NamedTuple):
         tolerances: (5,) `Bar.packed`; (0,) without a prong.
         snare_times: (3,) `SnareTimes.packed`; (0,) without snares.
         places: (b, 12) `Site.berth_places` of all payloads, one after the other.
-        ports: (b, 38) `PortFit` of each of these berths, packed (`PORT` to `ONLY_Y`); zeros for a berth without a port.
+        ports: (b, 38) `PortFit` of each of these berths, packed (`PORT` to `ONLY_Y`); of other kinds the tolerances.
         probes: (p, 3) `PortFit.probe` of these berths, one after the other [m].
         bars: (c, 4) `Bar.bars`; (0, 4) without a prong.
         rows: (c,) `Site.payload_rows`.
@@ -171,12 +171,12 @@ def world_arrays(flight: Flight) -> World:
 
 
 def _port(fit: Fit) -> Array:
-    """Return a packed `PortFit` (38,); zeros for a berth of another kind."""
+    """Return a packed `PortFit` (38,); for a berth of another kind zeros and its tolerances."""
     row = np.zeros(PORT_SIZE)
+    row[MOST], row[MOST_ANGLE] = fit.berth.distance, fit.berth.angle
     if isinstance(fit, PortFit):
         row[PORT:ENVELOPE], row[ENVELOPE:TIP] = fit.pose, fit.berth.envelope.ravel()
         row[TIP:MOST] = fit.tip
-        row[MOST], row[MOST_ANGLE] = fit.tolerances.distance, fit.tolerances.angle
         row[ONLY_Y] = fit.tolerances.axes == "y"
     return row
 

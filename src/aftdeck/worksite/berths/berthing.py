@@ -27,6 +27,7 @@ from aftdeck.law import law
 from aftdeck.matrices import length, product
 from aftdeck.tuples import UNTURNED, Vec3
 from aftdeck.worksite.conditions import Condition, within
+from aftdeck.worksite.within import holds
 
 SWITCHES = ("A", "B")
 """Names of the two ready-for-latch switches of each latch."""
@@ -239,20 +240,67 @@ def in_guides(found: Array, guides: Guides) -> tuple[Condition, ...]:
         found: (n, 4) result of `offsets`.
         guides: guides of the berth.
     """
-    conditions = []
-    for guide, opening, says, (along, across, up, _) in zip(
-        guides.guides, guides.opening.tolist(), guides.says, found.tolist(), strict=True
-    ):
-        room = guide.throat + max(up, 0.0) * opening
+    wanted = np.empty((len(found), GUIDED))
+    guides_wanted(found, guides.opening, guides.throat, guides.height, guides.play, wanted)
+    return tuple(
+        within(says.in_guide, value, least, greatest, "m", (says.height, says.aside, says.askew)[int(which)])
+        for says, (which, value, least, greatest) in zip(guides.says, wanted.tolist(), strict=True)
+    )
+
+
+GUIDED = 4
+"""Length of a row of `guides_wanted`."""
+
+
+@law
+def guides_wanted(found: Array, opening: Array, throat: Array, height: Array, play: Array, wanted: Array) -> None:
+    """Write what each trunnion needs to be inside its guide: of its three values the one with the least margin.
+
+    Args:
+        found: (n, 4) result of `offsets`.
+        opening: `Guides.opening`.
+        throat: `Guides.throat`.
+        height: `Guides.height`.
+        play: `Guides.play`.
+        wanted: (n, 4) output: 0 for the height, 1 for the offset along the guide, 2 for that along the trunnion; the
+            value, and its range [m].
+    """
+    for n in range(len(found)):
+        along, across, up = found[n, ALONG], found[n, ACROSS], found[n, UP]
+        room = throat[n] + max(up, 0.0) * opening[n]
         seated = 0.0 if -_GIVES < up < _SEATED else up
-        height, aside, askew = min(seated, guide.height - up), room - abs(along), guide.play - abs(across)
-        if height <= aside and height <= askew:
-            conditions.append(within(says.in_guide, seated, 0.0, guide.height, "m", says.height))
+        upright, aside, askew = min(seated, height[n] - up), room - abs(along), play[n] - abs(across)
+        if upright <= aside and upright <= askew:
+            which, value, least, greatest = 0.0, seated, 0.0, height[n]
         elif aside <= askew:
-            conditions.append(within(says.in_guide, along, -room, room, "m", says.aside))
+            which, value, least, greatest = 1.0, along, -room, room
         else:
-            conditions.append(within(says.in_guide, across, -guide.play, guide.play, "m", says.askew))
-    return tuple(conditions)
+            which, value, least, greatest = 2.0, across, -play[n], play[n]
+        wanted[n, 0], wanted[n, 1], wanted[n, 2], wanted[n, 3] = which, value, least, greatest
+
+
+@law
+def guides_met(
+    found: Array, opening: Array, throat: Array, height: Array, play: Array, left: Array, distance: float, angle: float
+) -> int:
+    """Return how many conditions of `in_guides` and `ready_to_latch` hold, without failed switches.
+
+    Args:
+        found: (n, 4) result of `offsets`.
+        opening: `Guides.opening`.
+        throat: `Guides.throat`.
+        height: `Guides.height`.
+        play: `Guides.play`.
+        left: (12,) as for `ready_to_latch`.
+        distance: `BerthTolerances.distance`.
+        angle: `BerthTolerances.angle`.
+    """
+    wanted, number = np.empty((len(found), GUIDED)), 0
+    guides_wanted(found, opening, throat, height, play, wanted)
+    for n in range(len(found)):
+        number += holds(wanted[n, 1], wanted[n, 2], wanted[n, 3])
+        number += holds(found[n, AWAY], -inf, distance)
+    return number + holds(turn_left(left), -inf, angle)
 
 
 def ready_to_latch(
@@ -309,16 +357,31 @@ def retained(left: Array, tolerances: BerthTolerances) -> tuple[Condition, ...]:
         left: (12,) the offset of the payload's centre and its rotation, as a pose relative to its seated pose.
         tolerances: tolerances of the berth.
     """
-    distance = length(vec3(left, 0))
     return (
-        within("payload stowed", distance, -inf, tolerances.distance, "m", _PLACE_SAYS),
+        within("payload stowed", length(vec3(left, 0)), -inf, tolerances.distance, "m", _PLACE_SAYS),
         _turn(left, tolerances),
     )
 
 
+STAY_CONDITIONS = 2
+"""Number of conditions of `retained`."""
+
+
+@law
+def retained_met(left: Array, distance: float, angle: float) -> int:
+    """Return how many of the conditions of `retained` hold; `distance` and `angle` as in `BerthTolerances`."""
+    away = sqrt(left[0] * left[0] + left[1] * left[1] + left[2] * left[2])
+    return int(holds(away, -inf, distance)) + int(holds(turn_left(left), -inf, angle))
+
+
 def _turn(left: Array, tolerances: BerthTolerances) -> Condition:
-    angle = angle_between(rows(left, 3), UNTURNED)
-    return within("payload's attitude", angle, -inf, tolerances.angle, "rad", _TURN_SAYS)
+    return within("payload's attitude", turn_left(left), -inf, tolerances.angle, "rad", _TURN_SAYS)
+
+
+@law
+def turn_left(left: Array) -> float:
+    """Return the angle of a payload's remaining rotation [rad]; `left` (12,) as for `retained`."""
+    return angle_between(rows(left, 3), UNTURNED)
 
 
 _PLACE_SAYS = ("payload {} from its stowed place", "")

@@ -25,6 +25,7 @@ from aftdeck.errors import InputError
 from aftdeck.law import law
 from aftdeck.matrices import dots, product
 from aftdeck.worksite.conditions import Condition, within
+from aftdeck.worksite.within import Within, holds
 
 BEFORE = 0
 """Least height of the probe's vertices above face c [m]."""
@@ -36,6 +37,8 @@ TURNED = 3
 """First of three angles between payload and port [rad]: between their x axes, their y axes and their z axes."""
 FOUND = 6
 """Length of the array of results."""
+CONDITIONS = 4
+"""Number of conditions of docking."""
 
 FEWEST_SIDES = 4
 
@@ -150,19 +153,41 @@ def _below(plane: Array, p: Vector) -> float:
     return inside
 
 
+@law
+def wanted(found: Array, distance: float, angle: float, only_y: bool) -> tuple[Within, Within, Within, Within]:
+    """Return the values of the conditions with their ranges: heights [m], distance [m], and greatest angle [rad].
+
+    Args:
+        found: (6,) output of `approach`.
+        distance: `DockingTolerances.distance`.
+        angle: `DockingTolerances.angle`.
+        only_y: whether only the y axes are compared.
+    """
+    y = found[TURNED + 1]
+    turn = y if only_y else max(found[TURNED], y, found[TURNED + 2])
+    return (found[BEFORE], 0.0, inf), (found[INSIDE], 0.0, inf), (found[DISTANCE], -inf, distance), (turn, -inf, angle)
+
+
+@law
+def docking_met(found: Array, distance: float, angle: float, only_y: bool) -> int:
+    """Return how many of the conditions of docking hold; the arguments are those of `wanted`."""
+    number = 0
+    for value, least, greatest in wanted(found, distance, angle, only_y):
+        number += holds(value, least, greatest)
+    return number
+
+
 def docking(found: Array, tolerances: DockingTolerances) -> tuple[Condition, ...]:
     """Return the conditions of docking from the output (6,) of `approach`."""
-    value = found.tolist()
-    if tolerances.axes == "y":
-        letter, angle = "y", value[TURNED + 1]
-    else:
-        angle, letter = max(zip(value[TURNED:], "xyz", strict=True))
+    only_y = tolerances.axes == "y"
+    letter = "y" if only_y else max(zip(found[TURNED:].tolist(), "xyz", strict=True))[1]
     says = f"payload's {letter} axis turned {{}} from the port's"
+    before, inside, at, turned = wanted(found, tolerances.distance, tolerances.angle, only_y)
     return (
-        within("probe before port", value[BEFORE], 0.0, inf, "m", _BEFORE_SAYS),
-        within("probe in envelope", value[INSIDE], 0.0, inf, "m", _INSIDE_SAYS),
-        within("probe at port", value[DISTANCE], -inf, tolerances.distance, "m", _DISTANCE_SAYS),
-        within("payload's attitude", angle, -inf, tolerances.angle, "rad", (says, says)),
+        within("probe before port", *before, "m", _BEFORE_SAYS),
+        within("probe in envelope", *inside, "m", _INSIDE_SAYS),
+        within("probe at port", *at, "m", _DISTANCE_SAYS),
+        within("payload's attitude", *turned, "rad", (says, says)),
     )
 
 

@@ -26,6 +26,7 @@ from aftdeck.bodies.vector import Vector, cross, dot, minus, times
 from aftdeck.elementary import atan2
 from aftdeck.law import law
 from aftdeck.worksite.conditions import Condition, within
+from aftdeck.worksite.within import Within, holds
 
 PALM, FIXED, PRONG = 0, 1, 2
 """Least height of the bar's vertices above face d of the palm, face b of the fixed finger and face e of the prong
@@ -52,6 +53,8 @@ A negative angle means that at least one of the first three conditions fails. It
 """
 FOUND = 12
 """Length of the array of all values."""
+CONDITIONS = 6
+"""Number of conditions."""
 
 SPACING_MOST, WINDOW, FRONT, REAR, FINGERS_WITHIN = 0, 1, 2, 3, 4
 """Indices of the fields of `Tolerances` in its packed form; the fields are in [m]."""
@@ -170,15 +173,34 @@ def acquire(bodies: Array, which: Indices, rules: Array, found: Array) -> bool:
     found[ALONG] = dot(axis, centre) - 0.5 * (dot(axis, front) + dot(axis, rear))
     found[AWAY] = sqrt(dot(from_top, from_top))
     found[SIDE] = dot(z2, axis)
-    return bool(
-        found[AWAY] <= rules[FINGERS_WITHIN]
-        and found[PALM] >= 0.0
-        and found[FIXED] >= 0.0
-        and found[PRONG] >= 0.0
-        and found[SPACING] <= rules[SPACING_MOST]
-        and 0.0 <= found[HEIGHT] <= rules[WINDOW]
-        and rules[FRONT] - found[HALF] <= found[ALONG] <= found[HALF] - rules[REAR]
+    return acquisition_met(found, rules) == CONDITIONS
+
+
+@law
+def wanted(found: Array, rules: Array) -> tuple[Within, Within, Within, Within, Within, Within]:
+    """Return the values of the six conditions with their ranges [m], from the values `found` of `acquire`.
+
+    If the palm is too far from the bar to test the fingers, the second and the third are that distance.
+    """
+    half, away = found[HALF], (found[AWAY], -inf, rules[FINGERS_WITHIN])
+    far = found[AWAY] > rules[FINGERS_WITHIN]
+    return (
+        (found[PALM], 0.0, inf),
+        away if far else (found[FIXED], 0.0, inf),
+        away if far else (found[PRONG], 0.0, inf),
+        (found[SPACING], -inf, rules[SPACING_MOST]),
+        (found[HEIGHT], 0.0, rules[WINDOW]),
+        (found[ALONG], rules[FRONT] - half, half - rules[REAR]),
     )
+
+
+@law
+def acquisition_met(found: Array, rules: Array) -> int:
+    """Return how many of the six conditions hold; the arguments are those of `wanted`."""
+    number = 0
+    for value, least_, greatest in wanted(found, rules):
+        number += holds(value, least_, greatest)
+    return number
 
 
 @law
@@ -235,27 +257,24 @@ def grasp(found: Array) -> Grasp:
     return Grasp("b" if found[SIDE] < 0.0 else "e", float(found[PITCH]), float(found[ROLL]), float(found[YAW]))
 
 
-def acquisition(found: Array, tolerances: Tolerances) -> tuple[Condition, ...]:
-    """Return the six conditions, in the report's order, from the values `found` of `acquire`."""
-    value = found.tolist()
-    half = value[HALF]
-    return (
-        within("palm over bar", value[PALM], 0.0, inf, "m", _PALM_SAYS),
-        _beside("fixed finger", value[FIXED], value[AWAY], tolerances, _FIXED_SAYS, _FIXED_FAR),
-        _beside("prong", value[PRONG], value[AWAY], tolerances, _PRONG_SAYS, _PRONG_FAR),
-        within("prong closed", value[SPACING], -inf, tolerances.spacing, "m", _SPACING_SAYS),
-        within("palm height", value[HEIGHT], 0.0, tolerances.window, "m", _HEIGHT_SAYS),
-        within(
-            "palm along bar",
-            value[ALONG],
-            tolerances.front - half,
-            half - tolerances.rear,
-            "m",
-            _ALONG_SAYS,
-        ),
+def acquisition(found: Array, rules: Array) -> tuple[Condition, ...]:
+    """Return the six conditions, in the report's order, from the values `found` of `acquire`; `rules` as there."""
+    far = found[AWAY] > rules[FINGERS_WITHIN]
+    fixed, prong = (_FIXED_FAR, _PRONG_FAR) if far else (_FIXED_SAYS, _PRONG_SAYS)
+    says = (_PALM_SAYS, fixed, prong, _SPACING_SAYS, _HEIGHT_SAYS, _ALONG_SAYS)
+    return tuple(
+        within(name, *given, "m", text) for name, given, text in zip(_NAMES, wanted(found, rules), says, strict=True)
     )
 
 
+_NAMES = (
+    "palm over bar",
+    "fixed finger beside bar",
+    "prong beside bar",
+    "prong closed",
+    "palm height",
+    "palm along bar",
+)
 _PALM_SAYS = ("bar {} clear of the palm", "a corner of the bar {} past the palm's face")
 _FIXED_SAYS = ("bar {} clear of the fixed finger", "bar {} past the fixed finger's face")
 _PRONG_SAYS = ("bar {} clear of the prong", "bar {} past the prong's face")
@@ -264,21 +283,3 @@ _PRONG_FAR = ("prong not tested with the palm {} from the bar", "")
 _SPACING_SAYS = ("fingers {} apart", "fingers crossed by {}")
 _HEIGHT_SAYS = ("palm {} above the bar", "palm {} below the bar's top")
 _ALONG_SAYS = ("palm {} from the bar's middle to its rear", "palm {} from the bar's middle to its front")
-
-
-def _beside(
-    finger: str,
-    height: float,
-    away: float,
-    tolerances: Tolerances,
-    says: tuple[str, str],
-    far: tuple[str, str],
-) -> Condition:
-    """Return condition 2 or 3: the whole bar is on the inner side of a finger.
-
-    If the palm is too far from the bar to test the finger, the condition fails and its text gives that reason.
-    """
-    name = f"{finger} beside bar"
-    if away > tolerances.fingers_within:
-        return within(name, away, -inf, tolerances.fingers_within, "m", far)
-    return within(name, height, 0.0, inf, "m", says)

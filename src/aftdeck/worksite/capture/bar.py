@@ -103,13 +103,13 @@ class Bar(EndEffector):
             found = self.measured(place, payload)
             if found is not None and found[AWAY] < within:
                 best, within = (payload, found), float(found[AWAY])
-        return None if best is None else Nearest(best[0], acquisition(best[1], self.tolerances))
+        return None if best is None else Nearest(best[0], acquisition(best[1], self.packed))
 
     def conditions(self, frames: Array, place: Placing, payload: int) -> tuple[Condition, ...]:
         """Return the conditions of acquisition; () for a payload without a bar."""
         del frames
         found = self.measured(place, payload)
-        return () if found is None else acquisition(found, self.tolerances)
+        return () if found is None else acquisition(found, self.packed)
 
     def step(
         self, controls: Controls, held: int | None, frames: Array, place: Placing, period: float, units: Units

@@ -2,20 +2,21 @@
 
 from __future__ import annotations
 
+from functools import cached_property
 from math import inf, sqrt
 
 import msgspec
 import numpy as np
 
 from aftdeck.arrays import Array
-from aftdeck.frames import oriend_elements, oriend_rows
+from aftdeck.frames import oriend_elements
 from aftdeck.law import law
-from aftdeck.matrices import length
 from aftdeck.tuples import Rows, Vec3
 from aftdeck.worksite.conditions import Condition, within
+from aftdeck.worksite.within import Within, holds
 
 
-class CaptureEnvelope(msgspec.Struct, frozen=True):
+class CaptureEnvelope(msgspec.Struct, frozen=True, dict=True):
     """Range of poses of the grapple fixture, in the end effector's axes, in which the snares can capture its pin."""
 
     radial: float
@@ -33,7 +34,7 @@ class CaptureEnvelope(msgspec.Struct, frozen=True):
     roll: float
     """Greatest rotation about axis 1, in either direction [rad]."""
 
-    @property
+    @cached_property
     def packed(self) -> Array:
         """The values as an array (6,), in this order."""
         return np.array([self.radial, self.nearest, self.farthest, self.pitch, self.yaw, self.roll])
@@ -41,6 +42,8 @@ class CaptureEnvelope(msgspec.Struct, frozen=True):
 
 RADIAL, NEAREST, FARTHEST, PITCH, YAW, ROLL = range(6)
 """Indices in `CaptureEnvelope.packed`."""
+CONDITIONS = 5
+"""Number of conditions of capture."""
 
 
 @law
@@ -65,32 +68,56 @@ def around_axis(envelope: Array, y: float, z: float, turned: Rows, wide: float) 
 
 @law
 def inside_envelope(envelope: Array, out: float, y: float, z: float, turned: Rows) -> bool:
-    """Return whether all conditions of `in_envelope` hold.
+    """Return whether all conditions of `in_envelope` hold; the arguments are those of `wanted`."""
+    return envelope_met(envelope, out, y, z, turned) == CONDITIONS
+
+
+@law
+def wanted(
+    envelope: Array, out: float, y: float, z: float, turned: Rows
+) -> tuple[Within, Within, Within, Within, Within]:
+    """Return the values of the conditions with their ranges: distance from the axis, depth [m], pitch, yaw, roll [rad].
 
     `out`: position of the fixture along axis 1 [m]; the other arguments are those of `around_axis`.
     """
-    return bool(envelope[NEAREST] <= out <= envelope[FARTHEST]) and around_axis(envelope, y, z, turned, 1.0)
+    (a, b, _), (d, e, _), (g, h, i) = turned
+    roll, pitch, yaw = oriend_elements(a, b, d, e, g, h, i)
+    return (
+        (sqrt(y * y + z * z), -inf, envelope[RADIAL]),
+        (out, envelope[NEAREST], envelope[FARTHEST]),
+        (pitch, -envelope[PITCH], envelope[PITCH]),
+        (yaw, -envelope[YAW], envelope[YAW]),
+        (roll, -envelope[ROLL], envelope[ROLL]),
+    )
 
 
-def in_envelope(fixture: tuple[Vec3, Rows], envelope: CaptureEnvelope) -> tuple[Condition, ...]:
+@law
+def envelope_met(envelope: Array, out: float, y: float, z: float, turned: Rows) -> int:
+    """Return how many of the conditions of `in_envelope` hold; the arguments are those of `wanted`."""
+    number = 0
+    for value, least, greatest in wanted(envelope, out, y, z, turned):
+        number += holds(value, least, greatest)
+    return number
+
+
+def in_envelope(fixture: tuple[Vec3, Rows], envelope: Array) -> tuple[Condition, ...]:
     """Return the conditions of capture.
 
     Args:
         fixture: position [m] and rotation of the grapple fixture in the end effector's axes (axis 1 points
             outwards). In the rigid position, the fixture's axes and origin coincide with those of the end effector.
-        envelope: the capture envelope.
+        envelope: (6,) `CaptureEnvelope.packed`.
     """
     (out, y, z), rows = fixture
-    roll, pitch, yaw = oriend_rows(rows)
-    radial = length((y, z))
+    radial, depth, *angles = wanted(envelope, out, y, z, rows)
     return (
-        within("pin off axis", radial, -inf, envelope.radial, "m", _RADIAL_SAYS),
-        within("pin depth", out, envelope.nearest, envelope.farthest, "m", _DEPTH_SAYS),
-        within("pitch", pitch, -envelope.pitch, envelope.pitch, "rad", ("pitch +{}", "pitch −{}")),
-        within("yaw", yaw, -envelope.yaw, envelope.yaw, "rad", ("yaw +{}", "yaw −{}")),
-        within("roll", roll, -envelope.roll, envelope.roll, "rad", ("roll +{}", "roll −{}")),
+        within("pin off axis", *radial, "m", _RADIAL_SAYS),
+        within("pin depth", *depth, "m", _DEPTH_SAYS),
+        *(within(name, *angle, "rad", says) for (name, says), angle in zip(_ANGLES, angles, strict=True)),
     )
 
 
 _RADIAL_SAYS = ("pin {} off the end effector's axis", "")
 _DEPTH_SAYS = ("pin {} out from its seat", "pin {} past its seat")
+_ANGLES = tuple((name, (f"{name} +{{}}", f"{name} −{{}}")) for name in ("pitch", "yaw", "roll"))
+"""Names of the angles, with their texts."""

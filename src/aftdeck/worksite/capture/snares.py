@@ -146,13 +146,13 @@ class Snares(EndEffector):
             fixture = self.fixture(frames, payload)
             if fixture is not None and (away := length(fixture[0])) < within:
                 best, within = (payload, fixture), away
-        return None if best is None else Nearest(best[0], in_envelope(best[1], self.envelope))
+        return None if best is None else Nearest(best[0], in_envelope(best[1], self.envelope.packed))
 
     def conditions(self, frames: Array, place: Placing, payload: int) -> tuple[Condition, ...]:
         """Return the conditions of capture; () for a payload without a fixture."""
         del place
         fixture = self.fixture(frames, payload)
-        return () if fixture is None else in_envelope(fixture, self.envelope)
+        return () if fixture is None else in_envelope(fixture, self.envelope.packed)
 
     def acts(self, controls: Controls) -> Acts:
         """Return whether snares or carriage begin to move, or go on."""

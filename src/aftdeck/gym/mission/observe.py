@@ -1,0 +1,193 @@
+"""Observation of Capture, Extract and Dock from the row of a state: numbers that an operator also has.
+
+`definition.observations` defines these numbers as readings of a frame; here they need no frame.
+"""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+
+from aftdeck.arrays import Array
+from aftdeck.bodies.placed import Place, along_axes, composed, inverted, matrix_product, twist_along
+from aftdeck.bodies.pose import rows, vec3
+from aftdeck.gym.mission.aim import HAND, TO_L, Left, left
+from aftdeck.gym.terms import Floats32
+from aftdeck.kinematics.observe import CARRIED, observe_payload
+from aftdeck.law import law
+from aftdeck.lent import lend
+from aftdeck.simulation.observe.frame_numbers import six
+from aftdeck.simulation.payloads.met import share_met
+from aftdeck.simulation.row.aligning import aligning_of
+from aftdeck.simulation.row.now import Arrays, Flat, Motion, Watch, lent, monitor_of, motion_of, watch_of
+from aftdeck.simulation.row.scalars import ARM, NEAREST, PRONG_AT, PRONG_HIGH, PRONG_LOW, TOUCHING
+from aftdeck.simulation.row.shown import (
+    ATTACHED,
+    AXES,
+    COARSE,
+    EFFECTOR,
+    HELD,
+    LOADED,
+    MIXED,
+    PACKED,
+    PAYLOAD,
+    SWITCH,
+    TAKEN,
+)
+from aftdeck.simulation.row.world import World, pairs_of, world_of
+from aftdeck.tuples import UNTURNED, Rows, Six, Vec3
+from aftdeck.units import FOOT
+from aftdeck.worksite.capture.snare import RING
+from aftdeck.worksite.watch.found import CLEARANCE
+
+
+class Scale(NamedTuple):
+    """Scale of the observations, arrays (n,): (value - zero) / one, within the limits `low` and `high`."""
+
+    zero: Array
+    one: Array
+    low: Array
+    high: Array
+
+
+Scored = tuple[bool, float, float, float, float, bool]
+"""Whether there is a place to move to, the distance [m] and the angle [rad] that are left, the distance above the
+capture pose or the seat [m], the share of the conditions that hold, and whether a detrimental contact exists."""
+
+
+@law
+def observe_one(
+    arrays: Arrays, shown: Array, aim: Array, scale: tuple[Array, Array, Array, Array], observation: Floats32
+) -> Scored:
+    """Write the observation of one state; return what the reward needs.
+
+    Args:
+        arrays: constants of the run and row of the state.
+        shown: values that `row.shown` describes.
+        aim: result of `aim.aim_of`.
+        scale: `Scale`.
+        observation: (n,) output.
+    """
+    zero, one, low, high = scale
+    return observe(
+        lent(arrays), lend(shown), lend(aim), Scale(lend(zero), lend(one), lend(low), lend(high)), observation
+    )
+
+
+@law
+def observe(flat: Flat, shown: Array, aim: Array, scale: Scale, observation: Floats32) -> Scored:
+    """Write the observation of a state; arguments and result are those of `observe_one`."""
+    world, now, watch = world_of(flat), motion_of(flat), watch_of(flat)
+    held, seen, joints = int(shown[HELD]), now.observed, len(now.angles)
+    tip: Place = (vec3(seen, 0), rows(seen, 3))
+    payload = (vec3(now.frames[world.rows[held]], 0), rows(now.frames[world.rows[held]], 3)) if held >= 0 else tip
+    to_go = left(aim, now.frames, tip, payload, held)
+    centre, axes = _in_grasp(world, now.frames, shown, seen, tip, payload)
+    point, twist = _resolution(shown, tip[0], centre, six(seen, 12))
+    moving, turning = _axes(shown, aim, tip[1], axes)
+    velocity, rate = twist_along(twist, moving, turning)
+    move, turn = _along(to_go, point, moving, turning)
+    values = np.empty(len(observation))
+    _put(values, 0, move)
+    _put(values, 3, turn)
+    _put(values, 6, velocity)
+    _put(values, 9, rate)
+    for i in range(joints):
+        values[12 + i], values[12 + joints + i] = now.angles[i], now.rates[i]
+    rest = 12 + 2 * joints
+    values[rest], values[rest + 1] = _clearance(now, watch), 1.0 if now.scalars[ARM] != 0.0 else 0.0
+    values[rest + 2] = share_met(world, aligning_of(flat), pairs_of(flat), monitor_of(watch), now.frames, held, shown)
+    values[rest + 3], values[rest + 4], values[rest + 5] = shown[COARSE], shown[SWITCH], _opening(world, now)
+    for i in range(len(values)):
+        observation[i] = min(max((values[i] - scale.zero[i]) / scale.one[i], scale.low[i]), scale.high[i])
+    return (
+        to_go.known,
+        to_go.distance,
+        to_go.angle,
+        to_go.above,
+        values[rest + 2],
+        _detrimental(now.scalars[TOUCHING] != 0.0, watch),
+    )
+
+
+@law
+def _along(to_go: Left, point: Vec3, moving: Rows, turning: Rows) -> tuple[Vec3, Vec3]:
+    """Return the remaining motion along the sticks' axes: displacement [m], rotation vector [rad]; 0 for no place."""
+    p, r = to_go.motion
+    move, turn = along_axes(p, r, point, moving, turning)
+    none = (0.0, 0.0, 0.0)
+    return (move, turn) if to_go.known else (none, none)
+
+
+@law
+def _in_grasp(world: World, frames: Array, shown: Array, seen: Array, tip: Place, payload: Place) -> Place:
+    """Return point of resolution and axes of the payload in the grasp; without one, those of the tip.
+
+    The tip is where the joint angles put it; with masses, the payload's pose in the end effector is that of the bodies.
+    """
+    if shown[HELD] >= 0.0:
+        hand = frames[world.hand[0]]
+        at, turn = composed(vec3(hand, 0), rows(hand, 3), vec3(world.effector, 0), UNTURNED)
+        inside_at, inside = composed(*inverted(at, turn), *payload)
+        return composed(tip[0], tip[1], inside_at, inside)
+    if shown[ATTACHED] == 0.0:
+        return tip
+    carried = np.empty(CARRIED)
+    observe_payload(seen, shown[PACKED:TAKEN], carried)
+    return vec3(carried, 12), rows(carried, 3)
+
+
+@law
+def _resolution(shown: Array, tip: Vec3, centre: Vec3, twist: Six) -> tuple[Vec3, Six]:
+    """Return the point that the sticks move, and its twist: those of the tip, or of the payload in the grasp."""
+    if shown[LOADED] == 0.0:
+        return tip, twist
+    p, q, r, u, v, w = twist
+    x, y, z = centre[0] - tip[0], centre[1] - tip[1], centre[2] - tip[2]
+    return centre, (p, q, r, u + q * z - r * y, v + r * x - p * z, w + p * y - q * x)
+
+
+@law
+def _axes(shown: Array, aim: Array, tip: Rows, payload: Rows) -> tuple[Rows, Rows]:
+    """Return the axes of the THC and of the RHC, in columns, in L (`scene.stick_axes`)."""
+    if shown[AXES] == EFFECTOR:
+        axes = matrix_product(tip, rows(aim, HAND))
+        return axes, axes
+    if shown[AXES] == PAYLOAD:
+        return payload, payload
+    orbiter = rows(aim, TO_L)
+    return orbiter, payload if shown[AXES] == MIXED else orbiter
+
+
+@law
+def _clearance(now: Motion, watch: Watch) -> float:
+    """Return the minimum clearance c as c / (c + 1 ft); 1 without a pair."""
+    nearest = int(now.scalars[NEAREST])
+    if nearest < 0:
+        return 1.0
+    distance = max(watch.found[nearest, CLEARANCE], 0.0)
+    return float(distance / (distance + FOOT))
+
+
+@law
+def _opening(world: World, now: Motion) -> float:
+    """Return the share by which prong or snares are open."""
+    low, high = world.constants[PRONG_LOW], world.constants[PRONG_HIGH]
+    return float(1.0 - now.snare[RING] if low == high else (high - now.scalars[PRONG_AT]) / (high - low))
+
+
+@law
+def _detrimental(touching: bool, watch: Watch) -> bool:
+    """Return whether a contact exists that does not belong to the task; `touching`: whether any contact exists."""
+    found = False
+    if touching:
+        for g in range(len(watch.frames_touching)):
+            found = found or (watch.frames_touching[g] != 0 and watch.essential[g] == 0)
+    return found
+
+
+@law
+def _put(values: Array, at: int, given: Vec3) -> None:
+    """Write three values into an array."""
+    values[at], values[at + 1], values[at + 2] = given

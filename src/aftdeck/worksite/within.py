@@ -1,0 +1,14 @@
+"""Measured values with the ranges that conditions allow, as laws compute them; `conditions` makes their texts."""
+
+from __future__ import annotations
+
+from aftdeck.law import law
+
+Within = tuple[float, float, float]
+"""A measured value, and the least and the greatest value that are allowed; one of them may be infinite."""
+
+
+@law
+def holds(value: float, least: float, greatest: float) -> bool:
+    """Return whether a value is in its range; with NaN it is not."""
+    return min(value - least, greatest - value) >= 0.0
