@@ -15,6 +15,7 @@ import aftdeck.gym
 from aftdeck.errors import InputError, ScenarioError
 from aftdeck.gym.mission.definition import observations
 from aftdeck.gym.mission.env import CaptureEnv, DockEnv, ExtractEnv, MissionEnv
+from aftdeck.gym.mission.score import AIMS, ANGLE, DISTANCE
 from aftdeck.gym.terms import Floats32
 from tests.each import number
 
@@ -114,8 +115,7 @@ def test_rewards_of_an_episode_add_up_to_the_motion_made_and_the_time() -> None:
 def test_place_that_appears_is_neither_rewarded_nor_punished() -> None:
     env = DockEnv()
     env.reset(seed=2)
-    assert env._scored is not None
-    env._scored = env._scored._replace(aims=False, distance=100.0, angle=3.0)
+    env._scored[[AIMS, DISTANCE, ANGLE]] = 0.0, 100.0, 3.0
     _, reward, *_ = env.step(np.zeros(len(env.mission.controls), dtype=np.float32))
     assert reward == pytest.approx(-0.05 * 0.1)
 

@@ -11,6 +11,7 @@ from aftdeck.arrays import Array
 from aftdeck.gym.mission.definition import observations
 from aftdeck.gym.mission.env import CaptureEnv, DockEnv, ExtractEnv, MissionEnv
 from aftdeck.gym.mission.observation import Observer
+from aftdeck.gym.mission.score import ABOVE, AIMS, ANGLE, CONTACT, DISTANCE, MET
 from aftdeck.scenario.schema import Plant
 from aftdeck.scene.stick_axes import StickAxes
 from aftdeck.simulation.inputs import Inputs
@@ -49,14 +50,16 @@ def compare(env: MissionEnv, sim: Simulation, observer: Observer) -> None:
     np.testing.assert_allclose(seen, expected, rtol=0.0, atol=2e-6)
     aims = Aims(scenario)
     left = aims.remaining(frame, env.task_step)
-    assert scored.aims == (left is not None)
+    assert scored[AIMS] == (left is not None)
     if left is not None:
-        assert scored.distance == pytest.approx(left.distance, abs=1e-9)
-        assert scored.angle == pytest.approx(abs(left.angle), abs=1e-9)
+        assert scored[DISTANCE] == pytest.approx(left.distance, abs=1e-9)
+        assert scored[ANGLE] == pytest.approx(abs(left.angle), abs=1e-9)
         target = env.task_step.target
         assert target is not None
-        assert scored.above == pytest.approx(aims.places.above(frame, target), abs=1e-9)
-    assert scored.contact == any(not contact.essential for contact in frame.work.contacts)
+        assert scored[ABOVE] == pytest.approx(aims.places.above(frame, target), abs=1e-9)
+    conditions = frame.work.conditions
+    assert scored[MET] == pytest.approx(np.mean([one.holds for one in conditions]) if conditions else 0.0)
+    assert scored[CONTACT] == any(not contact.essential for contact in frame.work.contacts)
 
 
 def inputs(generator: np.random.Generator, modes: list[str]) -> Iterator[Inputs]:

@@ -22,5 +22,6 @@ def register_all() -> None:
         gymnasium.register(
             mission.id,
             entry_point=f"aftdeck.gym.mission.env:{mission.name}Env",
+            vector_entry_point=f"aftdeck.gym.mission.vector:{mission.name}VectorEnv",
             max_episode_steps=mission.most_steps,
         )

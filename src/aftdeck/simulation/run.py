@@ -28,7 +28,7 @@ from aftdeck.simulation.payloads.disturbances import check_disturbances
 from aftdeck.simulation.plain import only_moves, plain_inputs, whole
 from aftdeck.simulation.series.series import Series
 from aftdeck.simulation.state import State
-from aftdeck.simulation.step import step
+from aftdeck.simulation.step import step, take_over
 from aftdeck.simulation.summary import Summary, Tally
 from aftdeck.state_part import digest, encoded
 from aftdeck.table import Table
@@ -105,6 +105,20 @@ class Simulation:
         """Constants of the run and its state, for functions that read the state's row; nothing else changes them."""
         return self._flight, self._state
 
+    def twin(self) -> Simulation:
+        """Return a simulation of the same scenario, seed and options at its start, which shares this one's constants.
+
+        Raises:
+            InputError: the plant has masses, whose constants have a state.
+        """
+        if self.scenario.plant != "kinematic":
+            raise InputError(f"plant: got {self.scenario.plant!r}, expected 'kinematic'")
+        twin = object.__new__(Simulation)
+        vars(twin).update(vars(self))
+        twin.restart()
+        twin._ready = {}
+        return twin
+
     @property
     def in_force(self) -> Scenario:
         """Scenario with the changes in flight that are in force."""
@@ -178,12 +192,26 @@ class Simulation:
         state = self._state
         self._flown = step(self._flight, state, inputs, most)
         state.events[:0] = lines
-        self._given = inputs
+        self._end_step(inputs)
+
+    def _end_step(self, inputs: Inputs | None) -> None:
+        """Forget what belonged to the step before; `inputs` are those that the caller gave."""
+        state, self._given = self._state, inputs
         self._stepped, self._frame, self._seal = True, None, b""
         angles = state.plant.angles.tolist()
         if not all(map(math.isfinite, angles)):
             time = state.tick * self.scenario.control_period
             raise SimulationError(f"the arm's state is no longer finite at {time:g} s: {angles}")
+
+    def take_over(self, inputs: Inputs, made: int, reached: int) -> None:
+        """Take over control periods that compiled code has made in the state's row; arguments as for `step.take_over`.
+
+        Raises:
+            SimulationError: the state is no longer finite.
+        """
+        take_over(self._flight, self._state, inputs, made, reached)
+        self._flown = inputs
+        self._end_step(inputs)
 
     def checked(self, inputs: object) -> Inputs:
         """Return inputs with plain values, which `advance` accepts.

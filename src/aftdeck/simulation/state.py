@@ -22,7 +22,7 @@ from aftdeck.simulation.parts.carried import SteeringSetup
 from aftdeck.simulation.parts.checking import Checking, Premises
 from aftdeck.simulation.parts.standing import Standing
 from aftdeck.simulation.parts.worksite_state import WorksiteState, new_worksite_state
-from aftdeck.simulation.row.row import Row, row_of
+from aftdeck.simulation.row.row import Row, RowArrays, row_of
 from aftdeck.state_part import StatePart, copied
 from aftdeck.steering.layout import COMMAND, MOTION_ACTIVE, REPORT, STATE
 from aftdeck.steering.mode import AUTOMATIC_LAWS, MODES, ORB_UNL, LawChoice
@@ -162,6 +162,10 @@ class State(StatePart, dict=True):
     def row(self) -> Row:
         """Flat arrays that contain most of the state's arrays from the first use on, for compiled code."""
         return row_of(self)
+
+    def move_row(self, packed: RowArrays) -> None:
+        """Move the row, and the state's arrays with it, into the arrays `packed`."""
+        vars(self)["row"] = self.row.moved_to(packed, self)
 
     def fork(self) -> State:
         """Return an independent copy of this state, without CMD CK, for a rehearsal on the kinematic plant."""

@@ -5,7 +5,7 @@ from __future__ import annotations
 from aftdeck.simulation.begin import initialise
 from aftdeck.simulation.command_check.cmd_ck import check
 from aftdeck.simulation.constants.flight import Flight
-from aftdeck.simulation.fly import go
+from aftdeck.simulation.fly import complete, go
 from aftdeck.simulation.inputs import Inputs
 from aftdeck.simulation.observe.arm_events import log_arm_events
 from aftdeck.simulation.operator.command_delay import delayed
@@ -15,6 +15,8 @@ from aftdeck.simulation.operator.script import end_if_time_is_up, hand_over, pha
 from aftdeck.simulation.operator.sequence import finish
 from aftdeck.simulation.payloads.alignment import count
 from aftdeck.simulation.period.period import COUNTED, OBSERVED, UNCHANGED
+from aftdeck.simulation.period.quick import take
+from aftdeck.simulation.row.scalars import MADE
 from aftdeck.simulation.state import State
 
 
@@ -68,6 +70,33 @@ def step(flight: Flight, state: State, inputs: Inputs | None, most: int = 1) -> 
     if most > 1 and not acts_once(state, inputs):
         most = 1
     reached = go(flight, state, log, inputs, observes=True, most=most, goes_on=goes_on)
+    _settle(flight, state, inputs, reached)
+    state.row.goes_on = sticks_only and reached == UNCHANGED and is_idle(state)
+    return inputs
+
+
+def take_over(flight: Flight, state: State, inputs: Inputs, made: int, reached: int) -> None:
+    """Take over control periods that compiled code has made in a state's row (`Batch`), and complete the last of them.
+
+    Args:
+        flight: constants of the run.
+        state: changed in place; `state.row.goes_on` was True before these periods.
+        inputs: inputs of the last period.
+        made: number of the periods, 1 or more.
+        reached: how far compiled code has made the last one (`period.period.advance`).
+    """
+    state.tick += 1
+    state.events, state.row.scalars[MADE] = [], made
+    take(flight, state, reached)
+    if reached == UNCHANGED:
+        return
+    log = state.log(flight.scenario.control_period)
+    _settle(flight, state, inputs, complete(flight, state, log, inputs, reached, observes=True))
+    state.row.goes_on = False
+
+
+def _settle(flight: Flight, state: State, inputs: Inputs, reached: int) -> None:
+    """Do in a step what follows the motion; `reached`: how far it has come (`period.period.advance`)."""
     log = state.log(flight.scenario.control_period)
     if inputs.camera is not None:
         state.views = flight.cameras.driven(state.views, inputs.camera, flight.scenario.control_period)
@@ -81,5 +110,3 @@ def step(flight: Flight, state: State, inputs: Inputs | None, most: int = 1) -> 
     log_arm_events(flight, state, log, complete=reached >= OBSERVED)
     if state.by_script:
         end_if_time_is_up(flight, state)
-    state.row.goes_on = sticks_only and reached == UNCHANGED and is_idle(state)
-    return inputs

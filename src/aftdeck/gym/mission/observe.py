@@ -12,13 +12,16 @@ import numpy as np
 from aftdeck.arrays import Array
 from aftdeck.bodies.placed import Place, along_axes, composed, inverted, matrix_product, twist_along
 from aftdeck.bodies.pose import rows, vec3
+from aftdeck.gym.batch_step import Flags
 from aftdeck.gym.mission.aim import HAND, TO_L, Left, left
+from aftdeck.gym.mission.score import ABOVE, AIMS, ANGLE, CONTACT, DISTANCE, MET
 from aftdeck.gym.terms import Floats32
 from aftdeck.kinematics.observe import CARRIED, observe_payload
-from aftdeck.law import law
+from aftdeck.law import large_law, law
 from aftdeck.lent import lend
 from aftdeck.simulation.observe.frame_numbers import six
 from aftdeck.simulation.payloads.met import share_met
+from aftdeck.simulation.period.many import Constants, Rows, row_of
 from aftdeck.simulation.row.aligning import aligning_of
 from aftdeck.simulation.row.now import Arrays, Flat, Motion, Watch, lent, monitor_of, motion_of, watch_of
 from aftdeck.simulation.row.scalars import ARM, NEAREST, PRONG_AT, PRONG_HIGH, PRONG_LOW, TOUCHING
@@ -36,7 +39,8 @@ from aftdeck.simulation.row.shown import (
     TAKEN,
 )
 from aftdeck.simulation.row.world import World, pairs_of, world_of
-from aftdeck.tuples import UNTURNED, Rows, Six, Vec3
+from aftdeck.tuples import UNTURNED, Six, Vec3
+from aftdeck.tuples import Rows as Turn
 from aftdeck.units import FOOT
 from aftdeck.worksite.capture.snare import RING
 from aftdeck.worksite.watch.found import CLEARANCE
@@ -51,33 +55,55 @@ class Scale(NamedTuple):
     high: Array
 
 
-Scored = tuple[bool, float, float, float, float, bool]
-"""Whether there is a place to move to, the distance [m] and the angle [rad] that are left, the distance above the
-capture pose or the seat [m], the share of the conditions that hold, and whether a detrimental contact exists."""
+@law
+def observe_all(
+    constants: Constants,
+    rows: Rows,
+    shown: Array,
+    aim: Array,
+    scale: tuple[Array, Array, Array, Array],
+    chosen: Flags,
+    observations: Floats32,
+    scored: Array,
+) -> None:
+    """Write observations of states, and what their rewards need.
+
+    Args:
+        constants: constants of the run.
+        rows: rows of n states.
+        shown: (n, s) values that `row.shown` describes.
+        aim: result of `aim.aim_of`.
+        scale: the arrays of a `Scale`.
+        chosen: (n,) whether a state is observed.
+        observations: (n, m) output.
+        scored: (n, 6) output, rows as `score` describes them.
+    """
+    zero, one, low, high = scale
+    lent_scale = Scale(lend(zero), lend(one), lend(low), lend(high))
+    for i in range(len(chosen)):
+        if chosen[i]:
+            _observe(
+                row_of(constants, rows, i), lend(shown[i]), lend(aim), lent_scale, observations[i], lend(scored[i])
+            )
 
 
 @law
 def observe_one(
-    arrays: Arrays, shown: Array, aim: Array, scale: tuple[Array, Array, Array, Array], observation: Floats32
-) -> Scored:
-    """Write the observation of one state; return what the reward needs.
-
-    Args:
-        arrays: constants of the run and row of the state.
-        shown: values that `row.shown` describes.
-        aim: result of `aim.aim_of`.
-        scale: `Scale`.
-        observation: (n,) output.
-    """
+    arrays: Arrays,
+    shown: Array,
+    aim: Array,
+    scale: tuple[Array, Array, Array, Array],
+    observation: Floats32,
+    scored: Array,
+) -> None:
+    """Write the observation of one state, and what its reward needs; arguments as for `observe_all`."""
     zero, one, low, high = scale
-    return observe(
-        lent(arrays), lend(shown), lend(aim), Scale(lend(zero), lend(one), lend(low), lend(high)), observation
-    )
+    lent_scale = Scale(lend(zero), lend(one), lend(low), lend(high))
+    _observe(lent(arrays), lend(shown), lend(aim), lent_scale, observation, lend(scored))
 
 
-@law
-def observe(flat: Flat, shown: Array, aim: Array, scale: Scale, observation: Floats32) -> Scored:
-    """Write the observation of a state; arguments and result are those of `observe_one`."""
+@large_law
+def _observe(flat: Flat, shown: Array, aim: Array, scale: Scale, observation: Floats32, scored: Array) -> None:
     world, now, watch = world_of(flat), motion_of(flat), watch_of(flat)
     held, seen, joints = int(shown[HELD]), now.observed, len(now.angles)
     tip: Place = (vec3(seen, 0), rows(seen, 3))
@@ -96,23 +122,18 @@ def observe(flat: Flat, shown: Array, aim: Array, scale: Scale, observation: Flo
     for i in range(joints):
         values[12 + i], values[12 + joints + i] = now.angles[i], now.rates[i]
     rest = 12 + 2 * joints
+    met = share_met(world, aligning_of(flat), pairs_of(flat), monitor_of(watch), now.frames, held, shown)
     values[rest], values[rest + 1] = _clearance(now, watch), 1.0 if now.scalars[ARM] != 0.0 else 0.0
-    values[rest + 2] = share_met(world, aligning_of(flat), pairs_of(flat), monitor_of(watch), now.frames, held, shown)
-    values[rest + 3], values[rest + 4], values[rest + 5] = shown[COARSE], shown[SWITCH], _opening(world, now)
+    values[rest + 2], values[rest + 3], values[rest + 4] = met, shown[COARSE], shown[SWITCH]
+    values[rest + 5] = _opening(world, now)
     for i in range(len(values)):
         observation[i] = min(max((values[i] - scale.zero[i]) / scale.one[i], scale.low[i]), scale.high[i])
-    return (
-        to_go.known,
-        to_go.distance,
-        to_go.angle,
-        to_go.above,
-        values[rest + 2],
-        _detrimental(now.scalars[TOUCHING] != 0.0, watch),
-    )
+    scored[AIMS], scored[DISTANCE], scored[ANGLE], scored[ABOVE] = to_go.known, to_go.distance, to_go.angle, to_go.above
+    scored[MET], scored[CONTACT] = met, _detrimental(now.scalars[TOUCHING] != 0.0, watch)
 
 
 @law
-def _along(to_go: Left, point: Vec3, moving: Rows, turning: Rows) -> tuple[Vec3, Vec3]:
+def _along(to_go: Left, point: Vec3, moving: Turn, turning: Turn) -> tuple[Vec3, Vec3]:
     """Return the remaining motion along the sticks' axes: displacement [m], rotation vector [rad]; 0 for no place."""
     p, r = to_go.motion
     move, turn = along_axes(p, r, point, moving, turning)
@@ -149,7 +170,7 @@ def _resolution(shown: Array, tip: Vec3, centre: Vec3, twist: Six) -> tuple[Vec3
 
 
 @law
-def _axes(shown: Array, aim: Array, tip: Rows, payload: Rows) -> tuple[Rows, Rows]:
+def _axes(shown: Array, aim: Array, tip: Turn, payload: Turn) -> tuple[Turn, Turn]:
     """Return the axes of the THC and of the RHC, in columns, in L (`scene.stick_axes`)."""
     if shown[AXES] == EFFECTOR:
         axes = matrix_product(tip, rows(aim, HAND))

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from typing import NamedTuple
-
 import numpy as np
 
 from aftdeck.arrays import Array
@@ -11,6 +9,7 @@ from aftdeck.compiled_first import compiled_first
 from aftdeck.frames import Pose
 from aftdeck.gym.actions import outside, shaped
 from aftdeck.gym.aligned import AlignedFloats
+from aftdeck.gym.batch_step import NEXT_STEP, SAME_STEP, UNLIMITED, Flags, Step
 from aftdeck.gym.philox import MASK
 from aftdeck.gym.reach import definition as task
 from aftdeck.gym.reach import kernel
@@ -26,14 +25,12 @@ from aftdeck.gym.reach.layout import (
     MOST_STEPS,
     NEAR,
     NEAR_CHORD,
-    NEXT_STEP,
     OBSERVATIONS,
     PER_CHORD,
     PER_METRE,
     PER_STEP,
     REJECTED,
     ROWS,
-    SAME_STEP,
     SCALE,
     START_LOW,
     START_SPAN,
@@ -47,32 +44,6 @@ from aftdeck.kinematics.arm import Arm, load_arm
 from aftdeck.steering.blocks import LANES
 from aftdeck.steering.layout import SPEED, STATE, TURN
 from aftdeck.steering.rules import rules_of
-
-UNLIMITED = 2**53
-"""Number of steps that no episode reaches."""
-
-
-class Step(NamedTuple):
-    """Result of a step of n environments.
-
-    Attributes:
-        observations: (n, OBSERVATIONS).
-        rewards: (n,).
-        terminated: (n,) whether the goal is reached.
-        truncated: (n,) whether the episode has reached its greatest number of steps.
-        reached: (n,) whether the goal was reached in this step.
-        final: (n, OBSERVATIONS) with SAME_STEP, the last observation of each episode that has ended.
-        ended: number of episodes that have ended.
-    """
-
-    observations: Floats32
-    rewards: Array
-    terminated: kernel.Flags
-    truncated: kernel.Flags
-    reached: kernel.Flags
-    final: Floats32
-    ended: int
-
 
 FILES = 120
 """Number of files with the machine code of a batch, roughly."""
@@ -103,7 +74,7 @@ class ReachBatch:
                 block, lane = divmod(n, LANES)
                 self._fields[block, [KEY_LOW, KEY_HIGH, EPISODE], lane] = key & MASK, key >> 32 & MASK, 0.0
 
-    def begin(self, chosen: kernel.Flags) -> Floats32:
+    def begin(self, chosen: Flags) -> Floats32:
         """Begin the next episode in the chosen environments (n,); return all observations (n, OBSERVATIONS)."""
         observations = self._arrays.new()
         kernel.begin_all(self._steering, self._task, self._blocks, chosen, observations, self._work)
@@ -114,7 +85,7 @@ class ReachBatch:
 
         Args:
             actions: (n, 6) sticks in [-1, 1]: translation, then rotation.
-            autoreset: NEXT_STEP, SAME_STEP or DISABLED of `layout.py`.
+            autoreset: NEXT_STEP, SAME_STEP or DISABLED.
 
         Raises:
             InputError: the actions have another shape, or a stick is outside [-1, 1]; nothing has changed.

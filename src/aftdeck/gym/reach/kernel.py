@@ -5,10 +5,8 @@ The single environment is a batch of one. `layout.py` describes the arrays.
 
 from __future__ import annotations
 
-import numpy as np
-from numpy.typing import NDArray
-
 from aftdeck.arrays import Array
+from aftdeck.gym.batch_step import NEXT_STEP, SAME_STEP, Flags
 from aftdeck.gym.philox import philox, uniform
 from aftdeck.gym.reach.layout import (
     APART,
@@ -24,7 +22,6 @@ from aftdeck.gym.reach.layout import (
     MOST_STEPS,
     NEAR,
     NEAR_CHORD,
-    NEXT_STEP,
     OUT_OF_TIME,
     PER_CHORD,
     PER_METRE,
@@ -32,7 +29,6 @@ from aftdeck.gym.reach.layout import (
     REACHED,
     REJECTED,
     REWARD,
-    SAME_STEP,
     START_LOW,
     START_SPAN,
     STEPS,
@@ -52,8 +48,6 @@ from aftdeck.kinematics.linkage import Floats, sines, tip
 from aftdeck.law import law
 from aftdeck.steering.blocks import LANES, put_six
 from aftdeck.tuples import Six
-
-Flags = NDArray[np.bool_]
 
 _TRIES = 16
 """Greatest number of random goals that are drawn until one is far enough from the start."""

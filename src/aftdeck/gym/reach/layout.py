@@ -49,7 +49,5 @@ MIDDLE, SCALE = 32, 32 + OBSERVATIONS
 """(24,) value of each observation that is normalised to 0, and factor that normalises it."""
 TASK = SCALE + OBSERVATIONS
 
-NEXT_STEP, SAME_STEP, DISABLED = 0, 1, 2
-"""When an environment of a batch is reset: in the step after its end, in the step of its end, or by its caller."""
 REJECTED = -1
 """Result of a step whose sticks are outside [-1, 1]; nothing has changed."""

@@ -11,12 +11,12 @@ from aftdeck.errors import InputError
 from aftdeck.export.pictures import Pixels
 from aftdeck.frames import Pose
 from aftdeck.gym.actions import checked, clipped
+from aftdeck.gym.batch_step import DISABLED
 from aftdeck.gym.choices import PLANTS, no_options, one_of
 from aftdeck.gym.picture import HEIGHT, MODES, WIDTH
 from aftdeck.gym.reach import definition
 from aftdeck.gym.reach.batch import ReachBatch
 from aftdeck.gym.reach.goals import episode_scenario
-from aftdeck.gym.reach.layout import DISABLED
 from aftdeck.gym.reach.picture import ReachPictures
 from aftdeck.gym.reach.simulated import SimulatedReach
 from aftdeck.gym.shown import ShownEnv

@@ -67,8 +67,12 @@ def advance(
         `observes` asks for. `COUNTED`: the telescope has moved the arm, which has to be observed. `OBSERVED`: the step
         is complete. `UNCHANGED`: it has also changed nothing that the log or the panel shows.
     """
-    flat = lent(arrays)
-    rules, resting, links, sticks = lend(rules), lend(resting), lend(links), lend(sticks)
+    return periods(lent(arrays), lend(rules), lend(resting), lend(links), lend(sticks), observes, most)
+
+
+@law
+def periods(flat: Flat, rules: Array, resting: Array, links: Array, sticks: Array, observes: bool, most: int) -> int:
+    """Make control steps; the arguments and the result are those of `advance`."""
     v, found, reached = motion_of(flat).scalars, watch_of(flat).found, UNCHANGED
     telescope, task, made = v[TELESCOPE], v[TASK], 0
     while made < most and reached == UNCHANGED:

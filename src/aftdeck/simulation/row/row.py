@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from aftdeck.arrays import Array, Indices, Mask
 from aftdeck.flat import parts, size
 from aftdeck.kinematics.observe import SEEN
 from aftdeck.simulation.row.now import INDICES, MARKS, NUMBERS, Arrays, Limits, Tables, tables_of
@@ -32,6 +33,19 @@ _WATCH = (
 """Arrays of a state that are parts of its row, by the part of the state to which they belong."""
 
 
+RowArrays = tuple[Array, Indices, Mask]
+"""Flat arrays of a row: float64, int64 and uint8."""
+
+
+def new_arrays(tables: Tables, *shape: int) -> RowArrays:
+    """Return arrays with zeros for the parts of one row, or those of many rows (*shape, size)."""
+    return (
+        np.zeros((*shape, size(tables.numbers))),
+        np.zeros((*shape, size(tables.indices)), np.int64),
+        np.zeros((*shape, size(tables.marks)), np.uint8),
+    )
+
+
 class Row:
     """Flat arrays of a state.
 
@@ -48,12 +62,14 @@ class Row:
         limited: whether `limits` may have zones, singularities or advice.
         goes_on: whether the row has what the state has, so that a step with other sticks needs nothing else.
         packed: the three flat arrays.
+        tables: tables of their parts.
     """
 
-    def __init__(self, tables: Tables) -> None:
-        self.numbers = np.zeros(size(tables.numbers))
-        self.indices = np.zeros(size(tables.indices), np.int64)
-        self.marks = np.zeros(size(tables.marks), np.uint8)
+    def __init__(self, tables: Tables, packed: RowArrays | None = None) -> None:
+        """Make a row in the arrays `packed`, whose contents it keeps; None for new ones."""
+        self.packed = new_arrays(tables) if packed is None else packed
+        self.numbers, self.indices, self.marks = self.packed
+        self.tables = tables
         self._parts = {
             name: part
             for names, flat, table in (
@@ -70,7 +86,6 @@ class Row:
         self.floats = self.limited = self.goes_on = False
         self.values = self.scalars.tolist()
         self._given, self._ordered = self.scalars.data.cast("B"), self._parts["command"].data.cast("B")
-        self.packed = self.numbers, self.indices, self.marks
 
     def arrays(self, packed: Packed) -> Arrays:
         """Return the constants of a run and this row, as Python passes them to a law."""
@@ -95,6 +110,16 @@ class Row:
                 setattr(owner, name, part)
         worksite.watch.pack()
         self.goes_on = False
+
+    def moved_to(self, packed: RowArrays, state: State) -> Row:
+        """Return the row that this one becomes when it moves, with its state's arrays, into the arrays `packed`."""
+        numbers, indices, marks = packed
+        numbers[:], indices[:], marks[:] = self.packed
+        row = Row(self.tables, packed)
+        row.limits.advice[:] = self.limits.advice
+        row.take(state)
+        row.floats, row.limited, row.goes_on = self.floats, self.limited, self.goes_on
+        return row
 
 
 def row_of(state: State) -> Row:

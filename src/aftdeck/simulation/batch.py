@@ -1,0 +1,146 @@
+"""Simulations of one scenario whose rows lie side by side, so that one compiled call moves all of them."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import numpy as np
+from numpy.typing import NDArray
+
+from aftdeck.arrays import Array, Indices
+from aftdeck.simulation.constants.flight import Flight
+from aftdeck.simulation.inputs import Inputs
+from aftdeck.simulation.period.many import Constants, advance_all
+from aftdeck.simulation.period.period import UNCHANGED
+from aftdeck.simulation.row.row import new_arrays
+from aftdeck.simulation.run import Simulation
+from aftdeck.simulation.state import State
+from aftdeck.steering.mode import MODES
+from aftdeck.steering.rules import Rate
+
+RATES: tuple[Rate, ...] = ("coarse", "vernier")
+"""Rate settings by their numbers."""
+STICKS = 6
+"""Number of the sticks' axes."""
+Flags = NDArray[np.bool_]
+
+
+class Batch:
+    """Simulations on the kinematic plant that an operator flies with the sticks of the arm, many in one call.
+
+    A row with nothing to do but the motion stays in compiled code for as long as this lasts; its simulation then lags
+    behind. `catch_up` takes its state over, which `hold` does for rows in which something happens.
+
+    Args:
+        first: the first simulation; the others are its twins.
+        count: number of simulations.
+
+    Attributes:
+        simulations: the simulations, n.
+        rows: rows of their states.
+        rates: (n,) rate setting in force: its number in `RATES`.
+
+    Raises:
+        InputError: the plant has masses.
+    """
+
+    def __init__(self, first: Simulation, count: int) -> None:
+        self.simulations = [first, *(first.twin() for _ in range(count - 1))]
+        state = first.parts[1]
+        self.rows = new_arrays(state.row.tables, count)
+        self.rates, self._behind, self._made, self._reached = (np.zeros(count, np.int64) for _ in range(4))
+        self._going, self._sticks = np.zeros(count, np.uint8), np.zeros((count, STICKS))
+        self._rules = np.zeros((count, len(RATES), len(state.rules)))
+        self._links = np.zeros((count, len(state.arm.model.links)))
+
+    @property
+    def constants(self) -> Constants:
+        """Constants of the run, as compiled code takes them."""
+        return tuple(self.simulations[0].parts[0].packed)  # type: ignore[return-value]
+
+    def place(self, i: int) -> None:
+        """Move the row of a simulation that has been restarted, and has made a step, to the rows of the others."""
+        numbers, indices, marks = self.rows
+        self._behind[i] = 0
+        self.simulations[i].parts[1].move_row((numbers[i], indices[i], marks[i]))
+        self._look(i)
+
+    def hold(
+        self,
+        sticks: Array,
+        rates: Indices,
+        steps: int,
+        others: Flags,
+        skipped: Flags,
+        inputs: Callable[[int], Inputs],
+    ) -> list[int]:
+        """Make control periods with the same inputs in all simulations, as `Simulation.hold` does in each.
+
+        Args:
+            sticks: (n, 6) rotation, then translation, in [-1, 1].
+            rates: (n,) rate setting that is wanted: its number in `RATES`.
+            steps: number of control periods.
+            others: (n,) whether the inputs of a simulation are more than sticks and the rate setting.
+            skipped: (n,) whether a simulation makes no steps.
+            inputs: returns the inputs of a simulation.
+
+        Returns:
+            The simulations of which Python code has made at least a part; the others lag behind.
+
+        Raises:
+            InputError: as for `Simulation.hold`.
+            SimulationError: the same.
+        """
+        going = np.where(others | skipped, 0, self._going).astype(np.uint8)
+        for i in np.flatnonzero(others & (self._behind > 0)).tolist():
+            self.catch_up(i)
+        self._sticks[:] = sticks
+        np.copyto(self.rates, rates, where=going != 0)
+        advance_all(
+            self.constants, self.rows, self._rules, self.rates, self._links, self._sticks, going, steps, self._made,
+            self._reached,
+        )  # fmt: skip
+        self._behind += self._made
+        changed: list[int] = np.flatnonzero(~skipped & ((going == 0) | (self._reached != UNCHANGED))).tolist()
+        for i in changed:
+            sim, left = self.simulations[i], steps - int(self._made[i])
+            given = sim.checked(inputs(i))
+            if going[i]:
+                self._take_over(i, given, int(self._reached[i]))
+            if left:
+                sim.hold(given, left)
+            self._look(i)
+        return changed
+
+    def catch_up(self, i: int) -> None:
+        """Let a simulation take over the control periods that compiled code has made in its row."""
+        if self._behind[i]:
+            roll, pitch, yaw, x, y, z = (self._sticks[i] + 0.0).tolist()
+            self._take_over(i, Inputs(translation=(x, y, z), rotation=(roll, pitch, yaw)), UNCHANGED)
+
+    def _take_over(self, i: int, inputs: Inputs, reached: int) -> None:
+        sim = self.simulations[i]
+        sim.parts[1].panel.rate = RATES[self.rates[i]]
+        sim.take_over(inputs, int(self._behind[i]), reached)
+        self._behind[i] = 0
+
+    def _look(self, i: int) -> None:
+        """Find out whether compiled code can go on in a row, and with which rules."""
+        flight, state = self.simulations[i].parts
+        panel = state.panel
+        self.rates[i], self._going[i] = RATES.index(panel.rate), takes_sticks(flight, state)
+        if self._going[i]:
+            for rules, rate in zip(self._rules[i], RATES, strict=True):
+                rules[:] = state.carried.rules[panel.mode, rate, panel.flown]
+            self._links[i] = state.arm.model.links
+
+
+def takes_sticks(flight: Flight, state: State) -> bool:
+    """Return whether the next steps of a state with only the sticks of the arm need nothing but compiled code."""
+    panel = state.panel
+    return (
+        state.row.goes_on
+        and MODES[panel.mode].kind == "manual"
+        and panel.rate_hold_sticks is None
+        and not (state.by_script or state.delayed_inputs or flight.scenario.changes_at)
+    )
