@@ -9,7 +9,9 @@ import pytest
 
 import aftdeck
 from aftdeck.errors import ScenarioError
+from aftdeck.scenario.load import built_in
 from aftdeck.scenario.model import Grasped, Start
+from tests.simulation.flights import random_inputs
 
 AHEAD = aftdeck.Inputs(translation=(0.4, 0.0, 0.1), effector="close")
 
@@ -32,6 +34,31 @@ def test_restarted_run_equals_a_new_one_bit_for_bit(plant: str) -> None:
     assert sim.frame is None
     assert sim.given is None
     assert seals(sim) == first == seals(aftdeck.Simulation(scenario))
+
+
+def flown(sim: aftdeck.Simulation, seed: int, steps: int) -> list[bytes]:
+    """Return the digests of steps with random inputs."""
+    found = []
+    for inputs in random_inputs(np.random.default_rng(seed), steps, every=6):
+        sim.advance(inputs)
+        found.append(sim.seal())
+    return found
+
+
+@pytest.mark.parametrize("name", built_in())
+def test_run_that_restarts_in_place_equals_one_in_new_memory(name: str) -> None:
+    """What the clearance monitor remembers of the run before changes nothing."""
+    sim, other = aftdeck.Simulation(name, digests=False), aftdeck.Simulation(name, digests=False)
+    rng = np.random.default_rng(len(name))
+    for seed in range(3):
+        flown(sim, seed, 40 * seed)
+        start = replace(sim.scenario.start, angles=sim.scenario.start.angles + rng.uniform(-0.05, 0.05))
+        sim.restart(start, in_place=True)
+        other.restart(start)
+        assert sim.save() == other.save()
+        assert flown(sim, seed + 10, 40) == flown(other, seed + 10, 40)
+        assert sim.look() == other.look()
+        assert sim.watched() == other.watched()
 
 
 def test_restart_from_other_initial_conditions_begins_there() -> None:

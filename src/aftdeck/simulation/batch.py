@@ -12,7 +12,7 @@ from aftdeck.simulation.constants.flight import Flight
 from aftdeck.simulation.inputs import Inputs
 from aftdeck.simulation.period.many import Constants, advance_all
 from aftdeck.simulation.period.period import UNCHANGED
-from aftdeck.simulation.row.row import new_arrays
+from aftdeck.simulation.row.row import Row, new_arrays
 from aftdeck.simulation.run import Simulation
 from aftdeck.simulation.state import State
 from aftdeck.steering.mode import MODES
@@ -49,6 +49,7 @@ class Batch:
         state = first.parts[1]
         self.rows = new_arrays(state.row.tables, count)
         self.rates, self._behind, self._made, self._reached = (np.zeros(count, np.int64) for _ in range(4))
+        self._own: list[Row | None] = [None] * count
         self._going, self._sticks = np.zeros(count, np.uint8), np.zeros((count, STICKS))
         self._rules = np.zeros((count, len(RATES), len(state.rules)))
         self._links = np.zeros((count, len(state.arm.model.links)))
@@ -59,10 +60,13 @@ class Batch:
         return tuple(self.simulations[0].parts[0].packed)  # type: ignore[return-value]
 
     def place(self, i: int) -> None:
-        """Move the row of a simulation that has been restarted, and has made a step, to the rows of the others."""
-        numbers, indices, marks = self.rows
+        """Take a simulation that has been restarted, and has made a step, into the batch."""
+        state = self.simulations[i].parts[1]
+        if state.row is not self._own[i]:
+            numbers, indices, marks = self.rows
+            state.move_row((numbers[i], indices[i], marks[i]))
+            self._own[i] = state.row
         self._behind[i] = 0
-        self.simulations[i].parts[1].move_row((numbers[i], indices[i], marks[i]))
         self._look(i)
 
     def hold(

@@ -33,12 +33,13 @@ from aftdeck.worksite.berths.latches import SHUT
 from aftdeck.worksite.conditions import failure_text, quantity_text
 
 
-def initial_state(flight: Flight, start: Start | None = None) -> State:
+def initial_state(flight: Flight, start: Start | None = None, used: State | None = None) -> State:
     """Return the state before the first step.
 
     Args:
         flight: constants of the run.
         start: initial conditions that replace those of the scenario; None for those of the scenario.
+        used: a state of a run with the same constants, which is no longer needed: the new state is made in its row.
 
     Raises:
         ScenarioError: initial conditions give a held payload that the end effector could not have captured in this
@@ -46,7 +47,7 @@ def initial_state(flight: Flight, start: Start | None = None) -> State:
             parts of the problem are checked too.
     """
     scenario = flight.scenario
-    state = _state_at(flight, scenario.start if start is None else start)
+    state = _state_at(flight, scenario.start if start is None else start, used)
     found = {"initial": state}
     if start is None:
         found |= {
@@ -88,10 +89,12 @@ def _first_target(scenario: Scenario) -> Target | None:
     return target if isinstance(target, Target) else None
 
 
-def _state_at(flight: Flight, start: Start) -> State:
-    """Return the state with the initial conditions `start`, before the first step."""
+def _state_at(flight: Flight, start: Start, used: State | None = None) -> State:
+    """Return the state with the initial conditions `start`, before the first step; `used` as for `initial_state`."""
     scenario = flight.scenario
     state = new_state(flight, steering_setup(scenario, scenario.payload))
+    if used is not None:
+        state.renew_row(used.row)
     _set_to_start(flight, state, start)
     return state
 
@@ -156,9 +159,10 @@ def _set_to_start(flight: Flight, state: State, start: Start) -> None:
             plant.bodies.held_for[k] = [math.inf if by else 0.0 for by in held_by(site, one)]
     worksite.before[:] = frames
     worksite.monitored_before[:] = worksite.watch.active
-    worksite.watch.update(frames, frames, scenario.control_period)
+    worksite.watch.look_near(frames, frames, scenario.control_period, worksite.watch.active, flight.within)
     worksite.permitted[:] = permitted(flight, state, worksite.watch, frames)
     worksite.contacts.update(worksite.watch.found, worksite.watch.near, site.by_prong, worksite.task)
     count(flight, state)
+    worksite.watch.look_near(frames, frames, scenario.control_period, worksite.watch.counts, flight.within)
     worksite.nearest = worksite.watch.nearest(worksite.watch.counts)
     change_task(worksite, task_of(site, worksite), state.log(scenario.control_period))

@@ -163,6 +163,11 @@ class State(StatePart, dict=True):
         """Flat arrays that contain most of the state's arrays from the first use on, for compiled code."""
         return row_of(self)
 
+    def renew_row(self, row: Row) -> None:
+        """Take the arrays of another state's row for this new state; that state can no longer be used."""
+        row.renew(self)
+        vars(self)["row"] = row
+
     def move_row(self, packed: RowArrays) -> None:
         """Move the row, and the state's arrays with it, into the arrays `packed`."""
         vars(self)["row"] = self.row.moved_to(packed, self)

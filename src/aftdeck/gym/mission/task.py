@@ -8,6 +8,7 @@ from pathlib import Path
 import numpy as np
 
 from aftdeck.arrays import Array
+from aftdeck.bodies.pose import rows, vec3
 from aftdeck.errors import InputError, ScenarioError
 from aftdeck.files import Where
 from aftdeck.gym.choices import PLANTS, one_of
@@ -82,14 +83,14 @@ class MissionTask:
             if start is None:
                 continue
             try:
-                sim.restart(start)
+                sim.restart(start, in_place=True)
             except ScenarioError:
                 continue
             sim.advance(self.first)
             observation, scored = self.observer.of(sim)
             if scored[CONTACT] == 0.0:
-                frame = sim.look()
-                return start, Since(frame.position, frame.orientation), observation, scored
+                seen = sim.parts[1].observed
+                return start, Since(vec3(seen, 0), rows(seen, 3)), observation, scored
         raise InputError(
             f"scenario: {self.scenario.name!r} has no start without a contact in {_TRIES} random starts near the "
             f"place of step {self.step.title!r}"

@@ -7,7 +7,10 @@ the rate limits of the script's phase.
 from __future__ import annotations
 
 from dataclasses import replace
+from functools import lru_cache
 from typing import TYPE_CHECKING
+
+import numpy as np
 
 from aftdeck.arrays import Array
 from aftdeck.kinematics.payload import HeldPayload
@@ -43,12 +46,30 @@ def steering_setup(scenario: Scenario, payload: HeldPayload | None, limits: Rate
         payload: payload in the grasp; None if the grasp is empty.
         limits: rate limits that replace the scenario's rate limits; None to keep the scenario's rate limits.
     """
-    model, por = scenario.arm.model, scenario.por
+    if payload is None:
+        return SteeringSetup(None, _rules(scenario, limits, 0.0, b""))
+    return SteeringSetup(payload, _rules(scenario, limits, payload.mass, payload.packed.tobytes()))
+
+
+@lru_cache(maxsize=16)
+def _rules(scenario: Scenario, limits: RateLimits | None, mass: float, packed: bytes) -> dict[Key, Array]:
+    """Return the steering's rules; each episode of an environment begins with the same ones.
+
+    Args:
+        scenario: the scenario.
+        limits: as for `steering_setup`.
+        mass: mass of the payload in the grasp [kg]; 0 if the grasp is empty.
+        packed: bytes of `HeldPayload.packed`; empty if the grasp is empty.
+    """
+    model, por, payload = scenario.arm.model, scenario.por, None
     if limits is not None:
         model, por = replace(model, rates=limits.joints), limits.por
-    rules = rules_of(
+    if packed:
+        values = np.frombuffer(packed)
+        payload = HeldPayload(mass, values[:9].reshape(3, 3), values[9:12], values[12:])
+    return rules_of(
         model,
-        por_with(model, payload.mass if payload else 0.0, por),
+        por_with(model, mass, por),
         scenario.control_period,
         payload,
         strict=scenario.strict,
@@ -57,4 +78,3 @@ def steering_setup(scenario: Scenario, payload: HeldPayload | None, limits: Rate
         near=scenario.near,
         near_turn=scenario.near_turn,
     )
-    return SteeringSetup(payload, rules)

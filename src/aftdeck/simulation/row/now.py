@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from functools import lru_cache
 from typing import NamedTuple
 
 from aftdeck.arrays import Array, Indices, Mask
@@ -139,6 +140,7 @@ class Tables(NamedTuple):
     marks: Indices
 
 
+@lru_cache(maxsize=8)
 def tables_of(layout: Layout, joints: int, singularities: int, payloads: int) -> Tables:
     """Return the tables of the rows of runs with these solids, and these numbers of joints and others."""
     frames, groups = (len(layout.frames), POSE), (len(layout.groups),)
