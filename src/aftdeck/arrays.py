@@ -58,3 +58,4 @@ def _lists(values: Sequence[Any]) -> Sequence[Any]:
 
 
 _PLAIN_NUMBERS = {float, int, np.float64}
+Flags = NDArray[np.bool_]

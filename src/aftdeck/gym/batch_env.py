@@ -11,10 +11,10 @@ from gymnasium.utils.seeding import np_random
 from gymnasium.vector import AutoresetMode, VectorEnv
 from gymnasium.vector.utils import batch_space
 
-from aftdeck.arrays import Array
+from aftdeck.arrays import Array, Flags
 from aftdeck.errors import InputError
 from aftdeck.gym.actions import clipped
-from aftdeck.gym.batch_step import DISABLED, NEXT_STEP, SAME_STEP, EnvBatch, Flags, Step
+from aftdeck.gym.batch_step import DISABLED, NEXT_STEP, SAME_STEP, EnvBatch, Step
 from aftdeck.gym.choices import PLANTS, no_options, one_of, rendered, whole
 from aftdeck.gym.terms import Floats32
 from aftdeck.units import short

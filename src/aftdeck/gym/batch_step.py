@@ -4,13 +4,8 @@ from __future__ import annotations
 
 from typing import NamedTuple, Protocol
 
-import numpy as np
-from numpy.typing import NDArray
-
-from aftdeck.arrays import Array
+from aftdeck.arrays import Array, Flags
 from aftdeck.gym.terms import Floats32
-
-Flags = NDArray[np.bool_]
 
 NEXT_STEP, SAME_STEP, DISABLED = 0, 1, 2
 """When an environment whose episode has ended is reset: in the next step, at once, or by the caller."""

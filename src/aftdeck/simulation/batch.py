@@ -5,16 +5,17 @@ from __future__ import annotations
 from collections.abc import Callable
 
 import numpy as np
-from numpy.typing import NDArray
 
-from aftdeck.arrays import Array, Indices
+from aftdeck.arrays import Array, Flags, Indices
 from aftdeck.simulation.constants.flight import Flight
 from aftdeck.simulation.inputs import Inputs
 from aftdeck.simulation.period.many import Constants, advance_all
 from aftdeck.simulation.period.period import UNCHANGED
 from aftdeck.simulation.row.row import Row, new_arrays
+from aftdeck.simulation.row.shown import write_effector
 from aftdeck.simulation.run import Simulation
 from aftdeck.simulation.state import State
+from aftdeck.simulation.step import make_row_current
 from aftdeck.steering.mode import MODES
 from aftdeck.steering.rules import Rate
 
@@ -22,7 +23,6 @@ RATES: tuple[Rate, ...] = ("coarse", "vernier")
 """Rate settings by their numbers."""
 STICKS = 6
 """Number of the sticks' axes."""
-Flags = NDArray[np.bool_]
 
 
 class Batch:
@@ -95,26 +95,35 @@ class Batch:
             InputError: as for `Simulation.hold`.
             SimulationError: the same.
         """
-        going = np.where(others | skipped, 0, self._going).astype(np.uint8)
-        for i in np.flatnonzero(others & (self._behind > 0)).tolist():
+        left, changed = np.where(skipped, 0, steps), set[int]()
+        for i in np.flatnonzero(others & ~skipped).tolist():
             self.catch_up(i)
+            self._by_python(i, inputs(i), left)
+            changed.add(i)
         self._sticks[:] = sticks
-        np.copyto(self.rates, rates, where=going != 0)
-        advance_all(
-            self.constants, self.rows, self._rules, self.rates, self._links, self._sticks, going, steps, self._made,
-            self._reached,
-        )  # fmt: skip
-        self._behind += self._made
-        changed: list[int] = np.flatnonzero(~skipped & ((going == 0) | (self._reached != UNCHANGED))).tolist()
-        for i in changed:
-            sim, left = self.simulations[i], steps - int(self._made[i])
-            given = sim.checked(inputs(i))
-            if going[i]:
-                self._take_over(i, given, int(self._reached[i]))
-            if left:
-                sim.hold(given, left)
-            self._look(i)
-        return changed
+        np.copyto(self.rates, rates, where=(self._going != 0) & (left > 0))
+        while (moving := (self._going != 0) & (left > 0)).any():
+            advance_all(
+                self.constants, self.rows, self._rules, self.rates, self._links, self._sticks, moving, left,
+                self._made, self._reached,
+            )  # fmt: skip
+            self._behind += self._made
+            left -= self._made
+            ended: list[int] = np.flatnonzero(moving & (self._reached != UNCHANGED)).tolist()
+            for i in ended:
+                self._take_over(i, self.simulations[i].checked(inputs(i)), int(self._reached[i]))
+                self._look(i)
+            changed.update(ended)
+        for i in np.flatnonzero(left).tolist():
+            self._by_python(i, inputs(i), left)
+            changed.add(i)
+        return sorted(changed)
+
+    def _by_python(self, i: int, inputs: Inputs, left: Indices) -> None:
+        """Make the control periods that are left of a simulation that has not to catch up."""
+        self.simulations[i].hold(inputs, int(left[i]))
+        left[i] = 0
+        self._look(i)
 
     def catch_up(self, i: int) -> None:
         """Let a simulation take over the control periods that compiled code has made in its row."""
@@ -132,6 +141,7 @@ class Batch:
         """Find out whether compiled code can go on in a row, and with which rules."""
         flight, state = self.simulations[i].parts
         panel = state.panel
+        write_effector(state)
         self.rates[i], self._going[i] = RATES.index(panel.rate), takes_sticks(flight, state)
         if self._going[i]:
             for rules, rate in zip(self._rules[i], RATES, strict=True):
@@ -143,8 +153,8 @@ def takes_sticks(flight: Flight, state: State) -> bool:
     """Return whether the next steps of a state with only the sticks of the arm need nothing but compiled code."""
     panel = state.panel
     return (
-        state.row.goes_on
-        and MODES[panel.mode].kind == "manual"
+        MODES[panel.mode].kind == "manual"
         and panel.rate_hold_sticks is None
         and not (state.by_script or state.delayed_inputs or flight.scenario.changes_at)
+        and make_row_current(flight, state)
     )

@@ -15,9 +15,10 @@ from aftdeck.simulation.operator.script import end_if_time_is_up, hand_over, pha
 from aftdeck.simulation.operator.sequence import finish
 from aftdeck.simulation.payloads.alignment import count
 from aftdeck.simulation.period.period import COUNTED, OBSERVED, UNCHANGED
-from aftdeck.simulation.period.quick import take
+from aftdeck.simulation.period.quick import give, take
 from aftdeck.simulation.row.scalars import MADE
 from aftdeck.simulation.state import State
+from aftdeck.worksite.watch.contacts import UNINHIBITED
 
 
 def step(flight: Flight, state: State, inputs: Inputs | None, most: int = 1) -> Inputs:
@@ -88,11 +89,24 @@ def take_over(flight: Flight, state: State, inputs: Inputs, made: int, reached: 
     state.tick += 1
     state.events, state.row.scalars[MADE] = [], made
     take(flight, state, reached)
-    if reached == UNCHANGED:
-        return
+    if made > 1 or reached == UNCHANGED:  # in the step before this one, or in this one, no contact has changed
+        state.worksite.contacts.inhibit = UNINHIBITED
     log = state.log(flight.scenario.control_period)
-    _settle(flight, state, inputs, complete(flight, state, log, inputs, reached, observes=True))
-    state.row.goes_on = False
+    if reached != UNCHANGED:
+        reached = complete(flight, state, log, inputs, reached, observes=True)
+    _settle(flight, state, inputs, reached)
+    state.row.goes_on = reached == UNCHANGED and is_idle(state)
+
+
+def make_row_current(flight: Flight, state: State) -> bool:
+    """Write into a state's row what the next step with the sticks alone needs, so that it goes on from there.
+
+    Return whether it can: whether nothing else has to be done in that step.
+    """
+    if not state.row.goes_on and state.tick > 0 and is_idle(state, logged=False):
+        give(flight, state, Inputs())
+        state.row.goes_on = True
+    return state.row.goes_on
 
 
 def _settle(flight: Flight, state: State, inputs: Inputs, reached: int) -> None:

@@ -5,10 +5,10 @@ from __future__ import annotations
 import numpy as np
 from gymnasium.utils.seeding import np_random
 
-from aftdeck.arrays import Array
+from aftdeck.arrays import Array, Flags
 from aftdeck.gym.actions import outside, shaped
 from aftdeck.gym.aligned import AlignedFloats
-from aftdeck.gym.batch_step import NEXT_STEP, SAME_STEP, Flags, Step
+from aftdeck.gym.batch_step import NEXT_STEP, SAME_STEP, Step
 from aftdeck.gym.mission.actions import inputs_of
 from aftdeck.gym.mission.definition import EFFECTOR, SWITCHED
 from aftdeck.gym.mission.observe import observe_all

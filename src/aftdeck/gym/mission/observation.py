@@ -14,7 +14,7 @@ from aftdeck.gym.terms import Floats32, observation_space
 from aftdeck.scenario.model import Scenario
 from aftdeck.scenario.task_step import TaskStep
 from aftdeck.simulation.frame import Frame
-from aftdeck.simulation.row.shown import shown_of
+from aftdeck.simulation.row.shown import shown_of, write_effector
 from aftdeck.simulation.run import Simulation
 
 
@@ -64,5 +64,6 @@ class Observer:
         flight, state = sim.parts
         observation, scored = self._arrays.new(), np.empty(SCORED)
         arrays = state.row.arrays(flight.packed)
+        write_effector(state)
         observe_one(arrays, shown_of(flight, state), self.aim, self.arrays, observation, scored)
         return observation, scored

@@ -9,10 +9,9 @@ from typing import NamedTuple
 
 import numpy as np
 
-from aftdeck.arrays import Array
+from aftdeck.arrays import Array, Flags
 from aftdeck.bodies.placed import Place, along_axes, composed, inverted, matrix_product, twist_along
 from aftdeck.bodies.pose import rows, vec3
-from aftdeck.gym.batch_step import Flags
 from aftdeck.gym.mission.aim import HAND, TO_L, Left, left
 from aftdeck.gym.mission.score import ABOVE, AIMS, ANGLE, CONTACT, DISTANCE, MET
 from aftdeck.gym.terms import Floats32

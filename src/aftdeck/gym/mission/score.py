@@ -6,8 +6,7 @@ from math import inf
 
 import numpy as np
 
-from aftdeck.arrays import Array
-from aftdeck.gym.batch_step import Flags
+from aftdeck.arrays import Array, Flags
 from aftdeck.gym.mission import definition
 from aftdeck.law import law
 from aftdeck.scenario.task_file import StateSpec

@@ -4,12 +4,12 @@ from __future__ import annotations
 
 import numpy as np
 
-from aftdeck.arrays import Array
+from aftdeck.arrays import Array, Flags
 from aftdeck.compiled_first import compiled_first
 from aftdeck.frames import Pose
 from aftdeck.gym.actions import outside, shaped
 from aftdeck.gym.aligned import AlignedFloats
-from aftdeck.gym.batch_step import NEXT_STEP, SAME_STEP, UNLIMITED, Flags, Step
+from aftdeck.gym.batch_step import NEXT_STEP, SAME_STEP, UNLIMITED, Step
 from aftdeck.gym.philox import MASK
 from aftdeck.gym.reach import definition as task
 from aftdeck.gym.reach import kernel

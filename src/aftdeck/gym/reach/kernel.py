@@ -5,8 +5,8 @@ The single environment is a batch of one. `layout.py` describes the arrays.
 
 from __future__ import annotations
 
-from aftdeck.arrays import Array
-from aftdeck.gym.batch_step import NEXT_STEP, SAME_STEP, Flags
+from aftdeck.arrays import Array, Flags
+from aftdeck.gym.batch_step import NEXT_STEP, SAME_STEP
 from aftdeck.gym.philox import philox, uniform
 from aftdeck.gym.reach.layout import (
     APART,

@@ -19,14 +19,15 @@ def only_sticks(inputs: Inputs) -> bool:
     return others(inputs) == NO_OTHERS and not inputs.changes and not any(inputs.orbiter)
 
 
-def is_idle(state: State) -> bool:
+def is_idle(state: State, *, logged: bool = True) -> bool:
     """Return whether nothing was logged in this step, and Python has nothing to do in each step.
 
-    During an automatic motion it has to look for the motion's end (`sequence.finish`).
+    During an automatic motion it has to look for the motion's end (`sequence.finish`). `logged`: whether lines of the
+    log count.
     """
     panel, inhibit = state.panel, state.worksite.contacts.inhibit
     return not (
-        state.events
+        (logged and state.events)
         or state.plant.bodies is not None
         or state.checking is not None
         or panel.proceeding

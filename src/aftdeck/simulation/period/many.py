@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from aftdeck.arrays import Array, Indices, Mask
+from aftdeck.arrays import Array, Flags, Indices, Mask
 from aftdeck.law import law
 from aftdeck.lent import lend
 from aftdeck.simulation.period.period import periods
@@ -31,8 +31,8 @@ def advance_all(
     rates: Indices,
     links: Array,
     sticks: Array,
-    going: Mask,
-    most: int,
+    going: Flags,
+    most: Indices,
     made: Indices,
     reached: Indices,
 ) -> None:
@@ -45,19 +45,19 @@ def advance_all(
         rates: (n,) rate setting: 0 coarse, 1 vernier.
         links: (n, m) the arm's links with its shoulder at the present height.
         sticks: (n, 6) rotation, then translation.
-        going: (n,) 1 for rows that take part.
-        most: greatest number of steps.
+        going: (n,) whether a row takes part.
+        most: (n,) greatest number of steps.
         made: (n,) output: the number that were made; 0 for the other rows.
         reached: (n,) output: how far the last step has come (`period.advance`).
     """
     for i in range(len(going)):
         made[i] = 0
-        if going[i] == 0:
+        if not going[i]:
             continue
         flat, own = row_of(constants, rows, i), lend(rules[i, rates[i]])
         now = motion_of(flat)
         for k in range(6):
             now.command[STICKS + k] = sticks[i, k] + 0.0  # -0.0 becomes 0.0
         now.command[DRIVE] = now.scalars[TELESCOPE] = 0.0
-        reached[i] = periods(flat, own, own, lend(links[i]), own, True, most)
+        reached[i] = periods(flat, own, own, lend(links[i]), own, True, most[i])
         made[i] = int(now.scalars[MADE])

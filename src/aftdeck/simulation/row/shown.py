@@ -46,7 +46,7 @@ _SWITCHES = {"close": 1.0, "stop": 0.0, "open": -1.0}
 
 
 def shown_of(flight: Flight, state: State) -> Array:
-    """Return the values after a step. The positions of the prong and of the snares are written into the state's row."""
+    """Return the values after a step."""
     panel, worksite, mode = state.panel, state.worksite, MODES[state.panel.mode]
     held, own = worksite.held, state.carried.payload if state.script.attached else None
     loaded, axes = held is not None or own is not None, ORBITER
@@ -71,9 +71,13 @@ def shown_of(flight: Flight, state: State) -> Array:
     if any(seats):
         fits = [(k, fit.berth.name) for k, own in enumerate(flight.site.fits) for fit in own]
         shown[TAKEN:] = [any(seat == name for i, seat in enumerate(seats) if i != k) for k, name in fits]
-    state.row.scalars[PRONG_AT] = worksite.prong.position
-    state.row.snare[:] = worksite.snare.packed
     return shown
+
+
+def write_effector(state: State) -> None:
+    """Write prong and snares as they are after a step that Python code has completed into the state's row."""
+    state.row.scalars[PRONG_AT] = state.worksite.prong.position
+    state.row.snare[:] = state.worksite.snare.packed
 
 
 def _number(site: Site, k: int, name: str) -> int:
