@@ -9,6 +9,7 @@ import numpy as np
 from aftdeck.arrays import Array, Flags, Indices
 from aftdeck.simulation.constants.flight import Flight
 from aftdeck.simulation.inputs import Inputs
+from aftdeck.simulation.parts.worksite_state import DRIVES, Switch
 from aftdeck.simulation.period.many import Constants, advance_all
 from aftdeck.simulation.period.period import UNCHANGED
 from aftdeck.simulation.row.row import Row, new_arrays
@@ -21,6 +22,7 @@ from aftdeck.steering.rules import Rate
 
 RATES: tuple[Rate, ...] = ("coarse", "vernier")
 """Rate settings by their numbers."""
+_SWITCHES: dict[float, Switch] = {drive: switch for switch, drive in DRIVES.items()}
 STICKS = 6
 """Number of the sticks' axes."""
 
@@ -39,6 +41,7 @@ class Batch:
         simulations: the simulations, n.
         rows: rows of their states.
         rates: (n,) rate setting in force: its number in `RATES`.
+        switches: (n,) position of the end effector's switch: 1 close, 0 stop, -1 open.
 
     Raises:
         InputError: the plant has masses.
@@ -51,6 +54,7 @@ class Batch:
         self.rates, self._behind, self._made, self._reached = (np.zeros(count, np.int64) for _ in range(4))
         self._own: list[Row | None] = [None] * count
         self._going, self._sticks = np.zeros(count, np.uint8), np.zeros((count, STICKS))
+        self.switches, self._pressed = np.zeros(count), np.zeros(count)
         self._rules = np.zeros((count, len(RATES), len(state.rules)))
         self._links = np.zeros((count, len(state.arm.model.links)))
 
@@ -73,8 +77,8 @@ class Batch:
         self,
         sticks: Array,
         rates: Indices,
+        switches: Array,
         steps: int,
-        others: Flags,
         skipped: Flags,
         inputs: Callable[[int], Inputs],
     ) -> list[int]:
@@ -83,8 +87,8 @@ class Batch:
         Args:
             sticks: (n, 6) rotation, then translation, in [-1, 1].
             rates: (n,) rate setting that is wanted: its number in `RATES`.
+            switches: (n,) switch of the end effector that is pressed: 1 close, -1 open; 0 for none.
             steps: number of control periods.
-            others: (n,) whether the inputs of a simulation are more than sticks and the rate setting.
             skipped: (n,) whether a simulation makes no steps.
             inputs: returns the inputs of a simulation.
 
@@ -96,16 +100,15 @@ class Batch:
             SimulationError: the same.
         """
         left, changed = np.where(skipped, 0, steps), set[int]()
-        for i in np.flatnonzero(others & ~skipped).tolist():
-            self.catch_up(i)
-            self._by_python(i, inputs(i), left)
-            changed.add(i)
-        self._sticks[:] = sticks
-        np.copyto(self.rates, rates, where=(self._going != 0) & (left > 0))
+        moves = ~skipped
+        self._sticks[moves], self._pressed[moves] = sticks[moves], switches[moves]
+        going = (self._going != 0) & moves
+        np.copyto(self.rates, rates, where=going)
+        np.copyto(self.switches, switches, where=going & (switches != 0.0))
         while (moving := (self._going != 0) & (left > 0)).any():
             advance_all(
-                self.constants, self.rows, self._rules, self.rates, self._links, self._sticks, moving, left,
-                self._made, self._reached,
+                self.constants, self.rows, self._rules, self.rates, self._links, self._sticks, self._pressed,
+                moving, left, self._made, self._reached,
             )  # fmt: skip
             self._behind += self._made
             left -= self._made
@@ -129,11 +132,13 @@ class Batch:
         """Let a simulation take over the control periods that compiled code has made in its row."""
         if self._behind[i]:
             roll, pitch, yaw, x, y, z = (self._sticks[i] + 0.0).tolist()
-            self._take_over(i, Inputs(translation=(x, y, z), rotation=(roll, pitch, yaw)), UNCHANGED)
+            effector = _SWITCHES[self._pressed[i]] if self._pressed[i] else None
+            self._take_over(i, Inputs(translation=(x, y, z), rotation=(roll, pitch, yaw), effector=effector), UNCHANGED)
 
     def _take_over(self, i: int, inputs: Inputs, reached: int) -> None:
         sim = self.simulations[i]
-        sim.parts[1].panel.rate = RATES[self.rates[i]]
+        state = sim.parts[1]
+        state.panel.rate, state.worksite.switch = RATES[self.rates[i]], _SWITCHES[self.switches[i]]
         sim.take_over(inputs, int(self._behind[i]), reached)
         self._behind[i] = 0
 
@@ -142,6 +147,7 @@ class Batch:
         flight, state = self.simulations[i].parts
         panel = state.panel
         write_effector(state)
+        self.switches[i] = DRIVES[state.worksite.switch]
         self.rates[i], self._going[i] = RATES.index(panel.rate), takes_sticks(flight, state)
         if self._going[i]:
             for rules, rate in zip(self._rules[i], RATES, strict=True):
@@ -155,6 +161,6 @@ def takes_sticks(flight: Flight, state: State) -> bool:
     return (
         MODES[panel.mode].kind == "manual"
         and panel.rate_hold_sticks is None
-        and not (state.by_script or state.delayed_inputs or flight.scenario.changes_at)
+        and not (state.by_script or state.script.attached or state.delayed_inputs or flight.scenario.changes_at)
         and make_row_current(flight, state)
     )

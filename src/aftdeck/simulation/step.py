@@ -92,7 +92,7 @@ def take_over(flight: Flight, state: State, inputs: Inputs, made: int, reached: 
     if made > 1 or reached == UNCHANGED:  # in the step before this one, or in this one, no contact has changed
         state.worksite.contacts.inhibit = UNINHIBITED
     log = state.log(flight.scenario.control_period)
-    if reached != UNCHANGED:
+    if reached != UNCHANGED or inputs.effector is not None:
         reached = complete(flight, state, log, inputs, reached, observes=True)
     _settle(flight, state, inputs, reached)
     state.row.goes_on = reached == UNCHANGED and is_idle(state)

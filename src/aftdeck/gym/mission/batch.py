@@ -17,7 +17,7 @@ from aftdeck.gym.mission.task import MissionTask
 from aftdeck.gym.terms import Floats32
 from aftdeck.simulation.batch import RATES, Batch
 from aftdeck.simulation.inputs import Inputs
-from aftdeck.simulation.row.shown import COARSE, shown_of
+from aftdeck.simulation.row.shown import COARSE, SWITCH, shown_of
 from aftdeck.simulation.run import Simulation
 from aftdeck.task.reached import Since
 
@@ -116,17 +116,17 @@ class MissionBatch:
         self._wanted = np.where(rates > SWITCHED, _COARSE, np.where(rates < -SWITCHED, _VERNIER, before))
         self._wanted[skipped] = before[skipped]
         mission, sticks = self._task.mission, actions[:, [3, 4, 5, 0, 1, 2]].astype(np.float64)
-        switched = np.zeros(self._count, np.bool_)
+        switches = np.zeros(self._count)
         if EFFECTOR in mission.controls:
-            switched = (np.abs(actions[:, _EFFECTOR]) > SWITCHED) & ~skipped
+            switches = 1.0 * (actions[:, _EFFECTOR] > SWITCHED) - 1.0 * (actions[:, _EFFECTOR] < -SWITCHED)
 
         def inputs(i: int) -> Inputs:
             return inputs_of(mission, actions[i].tolist(), RATES[before[i]])
 
-        changed = self._batch.hold(sticks, self._wanted, self._task.repeats, switched, skipped, inputs)
+        changed = self._batch.hold(sticks, self._wanted, switches, self._task.repeats, skipped, inputs)
         for i in changed:
             self._look(i)
-        self._shown[:, COARSE] = 1.0 - 2.0 * self._batch.rates
+        self._shown[:, COARSE], self._shown[:, SWITCH] = 1.0 - 2.0 * self._batch.rates, self._batch.switches
 
     def _look(self, i: int) -> None:
         """Read what the panel and the berths of an environment show."""

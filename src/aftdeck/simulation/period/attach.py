@@ -16,12 +16,15 @@ from aftdeck.simulation.row.aligning import Aligning, aligning_of
 from aftdeck.simulation.row.now import Flat, Motion, monitor_of, motion_of, watch_of
 from aftdeck.simulation.row.scalars import (
     AT_PORT,
+    CLOSES,
     CONTR,
     FIXED,
     FIXED_FINGER,
     HELD,
     PERIOD,
     PRONG_AT,
+    PRONG_HIGH,
+    PRONG_LOW,
     RELEASED,
     SNARE_MODE,
     SPACING,
@@ -32,9 +35,22 @@ from aftdeck.simulation.row.world import MOST, MOST_ANGLE, ONLY_Y, World, pairs_
 from aftdeck.worksite.berths.docking import CONDITIONS, FOUND, docking_met
 from aftdeck.worksite.berths.on_way import NEAR
 from aftdeck.worksite.capture.acquisition import acquired_bar
-from aftdeck.worksite.capture.effector import BEGINS, MOVES
+from aftdeck.worksite.capture.effector import BEGINS, MOVES, RESTS
 from aftdeck.worksite.capture.grapple import inside_envelope
-from aftdeck.worksite.capture.snare import CAPTURED, CAPTURES, DRAWN, MOTION, RING, ends_motion, next_part, travel
+from aftdeck.worksite.capture.snare import (
+    ACCEPTED,
+    CAPTURED,
+    CAPTURES,
+    DRAWN,
+    MOTION,
+    RELEASES,
+    RING,
+    begin,
+    ends_motion,
+    next_part,
+    refused,
+    travel,
+)
 from aftdeck.worksite.capture.snares import fixture_in_effector
 from aftdeck.worksite.watch.bay import any_inside, may_be_inside
 from aftdeck.worksite.watch.groups import CENTRE, RADIUS, PackedLayout
@@ -106,6 +122,34 @@ def _snares_move(world: World, aligning: Aligning, now: Motion, held: int) -> bo
     if held >= 0 and moved[DRAWN] != now.snare[DRAWN]:
         return False
     now.snare[:] = moved
+    return True
+
+
+@law
+def press(world: World, now: Motion, switch: float) -> bool:
+    """Press the switch of the end effector before a control period; write what then moves into the scalars.
+
+    Args:
+        world: constants of the run.
+        now: the state.
+        switch: 1 closes, -1 opens.
+
+    Returns:
+        Whether a sequence of the snares begins, which has changed their state.
+    """
+    v, snare = now.scalars, now.snare
+    if world.constants[PRONG_LOW] != world.constants[PRONG_HIGH]:
+        v[CLOSES] = switch
+    if len(world.snare_times) == 0:
+        return False
+    trigger = CAPTURES if switch > 0.0 else RELEASES
+    if refused(snare, int(v[SNARE_MODE]), trigger) != ACCEPTED:
+        v[WORKS] = BEGINS if snare[MOTION] != 0.0 or v[CONTR] != 0.0 else RESTS
+        return False
+    v[WORKS] = MOVES
+    if trigger == snare[MOTION] and snare[RING] > 0.0:
+        return False
+    begin(snare, trigger)
     return True
 
 

@@ -5,10 +5,13 @@ from __future__ import annotations
 from aftdeck.arrays import Array, Flags, Indices, Mask
 from aftdeck.law import law
 from aftdeck.lent import lend
-from aftdeck.simulation.period.period import periods
+from aftdeck.simulation.period.attach import press
+from aftdeck.simulation.period.period import JUDGED, periods
 from aftdeck.simulation.row.now import Flat, lent, motion_of
-from aftdeck.simulation.row.scalars import MADE, TELESCOPE
+from aftdeck.simulation.row.scalars import MADE, TELESCOPE, WORKS
+from aftdeck.simulation.row.world import world_of
 from aftdeck.steering.layout import DRIVE, STICKS
+from aftdeck.worksite.capture.effector import BEGINS
 
 Constants = tuple[Array, Indices, Mask]
 """`row.constants.Packed`."""
@@ -31,6 +34,7 @@ def advance_all(
     rates: Indices,
     links: Array,
     sticks: Array,
+    switches: Array,
     going: Flags,
     most: Indices,
     made: Indices,
@@ -45,6 +49,7 @@ def advance_all(
         rates: (n,) rate setting: 0 coarse, 1 vernier.
         links: (n, m) the arm's links with its shoulder at the present height.
         sticks: (n, 6) rotation, then translation.
+        switches: (n,) switch of the end effector that is pressed: 1 close, -1 open; 0 for none.
         going: (n,) whether a row takes part.
         most: (n,) greatest number of steps.
         made: (n,) output: the number that were made; 0 for the other rows.
@@ -59,5 +64,10 @@ def advance_all(
         for k in range(6):
             now.command[STICKS + k] = sticks[i, k] + 0.0  # -0.0 becomes 0.0
         now.command[DRIVE] = now.scalars[TELESCOPE] = 0.0
+        before = now.snare.copy()
+        begins = switches[i] != 0.0 and press(world_of(flat), now, switches[i])
         reached[i] = periods(flat, own, own, lend(links[i]), own, True, most[i])
         made[i] = int(now.scalars[MADE])
+        if begins and reached[i] == JUDGED and made[i] == 1:  # Python begins the sequence
+            now.snare[:] = before
+            now.scalars[WORKS] = BEGINS

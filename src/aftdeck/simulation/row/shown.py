@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from aftdeck.arrays import Array
+from aftdeck.simulation.parts.worksite_state import DRIVES
 from aftdeck.simulation.row.scalars import PRONG_AT
 from aftdeck.steering.mode import MODES, ORB_LD_TURNING
 
@@ -42,8 +43,6 @@ PACKED = 8
 TAKEN = 23
 """First of the marks of all berths: 1 if another payload is fixed there."""
 
-_SWITCHES = {"close": 1.0, "stop": 0.0, "open": -1.0}
-
 
 def shown_of(flight: Flight, state: State) -> Array:
     """Return the values after a step."""
@@ -59,7 +58,7 @@ def shown_of(flight: Flight, state: State) -> Array:
         axes,
         loaded and mode.loaded and not flight.scenario.strict,
         1.0 if panel.rate == "coarse" else -1.0,
-        _SWITCHES[worksite.switch],
+        DRIVES[worksite.switch],
         -1 if held is None else held,
         worksite.arm_fixed,
         -1 if held is None else _number(flight.site, held, worksite.payloads[held].released_from),

@@ -158,7 +158,9 @@ def advance(
     if command.trigger and (why := refusal(snare, command)):
         lines.append(rejection(f"{command.trigger.upper()} refused: {why}"))
     elif command.trigger:
-        snare = msgspec.structs.replace(snare, motion=command.trigger, met=snare.met and snare.ring > 0.0)
+        numbers = snare.packed
+        begin(numbers, MOTIONS.index(command.trigger))
+        snare = unpacked(numbers)
     left = dt
     snare = _without_ended_motion(snare, command.mode)
     while stage := next_stage(snare, command):
@@ -180,22 +182,54 @@ def advance(
 
 def refusal(snare: Snare, command: SnareCommand) -> str:
     """Return why the trigger is rejected; empty if it is accepted."""
-    if command.mode == "OFF":
-        return "END EFFECTOR MODE is OFF; the trigger works in AUTO and MAN"
-    extended = _extended(snare)
-    if command.trigger == "capture":
-        if snare.ring == 1.0 and not snare.captured:
-            return "the snares are closed without the pin; RELEASE opens them"
-        if not extended and not snare.captured:
-            return "the carriage is not extended; MAN CONTR DERIGID, or RELEASE in AUTO, extends it"
-        if snare.captured and snare.ring == 1.0 and (command.mode == "MAN" or snare.tension == 1.0):
-            return "the pin is already captured"
-        return ""
-    if snare.ring == 0.0 and snare.motion != "capture" and (extended or command.mode == "MAN"):
-        return "the snares are already open"
-    if not extended and command.mode == "MAN":
-        return "the carriage is not extended; MAN CONTR DERIGID extends it"
-    return ""
+    return _REFUSALS[refused(snare.packed, MODES.index(command.mode), MOTIONS.index(command.trigger))]
+
+
+ACCEPTED = 0
+"""Result of `refused` if the trigger acts."""
+_SWITCHED_OFF, _CLOSED, _RETRACTED, _CAPTURED, _OPEN, _STAYS = range(1, 7)
+_REFUSALS = (
+    "",
+    "END EFFECTOR MODE is OFF; the trigger works in AUTO and MAN",
+    "the snares are closed without the pin; RELEASE opens them",
+    "the carriage is not extended; MAN CONTR DERIGID, or RELEASE in AUTO, extends it",
+    "the pin is already captured",
+    "the snares are already open",
+    "the carriage is not extended; MAN CONTR DERIGID extends it",
+)
+
+
+@law
+def refused(snare: Array, mode: int, trigger: int) -> int:
+    """Return the number of the reason for which a trigger is rejected; `ACCEPTED` if it is not.
+
+    Args:
+        snare: (7,) `Snare.packed`.
+        mode: index of END EFFECTOR MODE in `MODES`.
+        trigger: index of the trigger in `MOTIONS`.
+    """
+    if mode == OFF:
+        return _SWITCHED_OFF
+    extended, captured = snare[CARRIAGE] == 0.0 and snare[TENSION] == 0.0, snare[CAPTURED] != 0.0
+    if trigger == CAPTURES:
+        if snare[RING] == 1.0 and not captured:
+            return _CLOSED
+        if not extended and not captured:
+            return _RETRACTED
+        if captured and snare[RING] == 1.0 and (mode == MAN or snare[TENSION] == 1.0):
+            return _CAPTURED
+        return ACCEPTED
+    if snare[RING] == 0.0 and snare[MOTION] != CAPTURES and (extended or mode == MAN):
+        return _OPEN
+    return _STAYS if not extended and mode == MAN else ACCEPTED
+
+
+@law
+def begin(snare: Array, trigger: int) -> None:
+    """Begin the sequence of an accepted trigger; arguments as for `refused`."""
+    snare[MOTION] = trigger
+    if snare[RING] == 0.0:
+        snare[MET] = 0.0
 
 
 def next_stage(snare: Snare, command: SnareCommand) -> tuple[Part, float] | None:
@@ -278,11 +312,6 @@ def ends_motion(snare: Array, mode: int) -> bool:
 def _without_ended_motion(snare: Snare, mode: Mode) -> Snare:
     """Return the state, with `motion` empty if the sequence ends."""
     return msgspec.structs.replace(snare, motion="") if ends_motion(snare.packed, MODES.index(mode)) else snare
-
-
-def _extended(snare: Snare) -> bool:
-    """Return whether the carriage is extended and derigidized, so that the snares may open and close."""
-    return snare.carriage == 0.0 and snare.tension == 0.0
 
 
 def _inside(conditions: Sequence[Condition]) -> bool:
