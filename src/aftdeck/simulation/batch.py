@@ -18,10 +18,8 @@ from aftdeck.simulation.run import Simulation
 from aftdeck.simulation.state import State
 from aftdeck.simulation.step import make_row_current
 from aftdeck.steering.mode import MODES
-from aftdeck.steering.rules import Rate
+from aftdeck.steering.rules import SETTINGS
 
-RATES: tuple[Rate, ...] = ("coarse", "vernier")
-"""Rate settings by their numbers."""
 _SWITCHES: dict[float, Switch] = {drive: switch for switch, drive in DRIVES.items()}
 STICKS = 6
 """Number of the sticks' axes."""
@@ -40,7 +38,7 @@ class Batch:
     Attributes:
         simulations: the simulations, n.
         rows: rows of their states.
-        rates: (n,) rate setting in force: its number in `RATES`.
+        rates: (n,) rate setting in force: its number in `SETTINGS`.
         switches: (n,) position of the end effector's switch: 1 close, 0 stop, -1 open.
 
     Raises:
@@ -55,7 +53,7 @@ class Batch:
         self._own: list[Row | None] = [None] * count
         self._going, self._sticks = np.zeros(count, np.uint8), np.zeros((count, STICKS))
         self.switches, self._pressed = np.zeros(count), np.zeros(count)
-        self._rules = np.zeros((count, len(RATES), len(state.rules)))
+        self._rules = np.zeros((count, len(SETTINGS), len(state.rules)))
         self._links = np.zeros((count, len(state.arm.model.links)))
 
     @property
@@ -86,7 +84,7 @@ class Batch:
 
         Args:
             sticks: (n, 6) rotation, then translation, in [-1, 1].
-            rates: (n,) rate setting that is wanted: its number in `RATES`.
+            rates: (n,) rate setting that is wanted: its number in `SETTINGS`.
             switches: (n,) switch of the end effector that is pressed: 1 close, -1 open; 0 for none.
             steps: number of control periods.
             skipped: (n,) whether a simulation makes no steps.
@@ -138,7 +136,7 @@ class Batch:
     def _take_over(self, i: int, inputs: Inputs, reached: int) -> None:
         sim = self.simulations[i]
         state = sim.parts[1]
-        state.panel.rate, state.worksite.switch = RATES[self.rates[i]], _SWITCHES[self.switches[i]]
+        state.panel.rate, state.worksite.switch = SETTINGS[self.rates[i]], _SWITCHES[self.switches[i]]
         sim.take_over(inputs, int(self._behind[i]), reached)
         self._behind[i] = 0
 
@@ -148,9 +146,9 @@ class Batch:
         panel = state.panel
         write_effector(state)
         self.switches[i] = DRIVES[state.worksite.switch]
-        self.rates[i], self._going[i] = RATES.index(panel.rate), takes_sticks(flight, state)
+        self.rates[i], self._going[i] = SETTINGS.index(panel.rate), takes_sticks(flight, state)
         if self._going[i]:
-            for rules, rate in zip(self._rules[i], RATES, strict=True):
+            for rules, rate in zip(self._rules[i], SETTINGS, strict=True):
                 rules[:] = state.carried.rules[panel.mode, rate, panel.flown]
             self._links[i] = state.arm.model.links
 

@@ -41,6 +41,8 @@ from aftdeck.steering.mode import MODES, Mode
 from aftdeck.tuples import MOST_JOINTS
 
 Rate = Literal["coarse", "vernier"]
+SETTINGS: tuple[Rate, ...] = ("coarse", "vernier")
+"""Rate settings by their numbers."""
 Key = tuple[str, Rate, int]
 """Panel position, rate setting and steering law."""
 
@@ -59,7 +61,7 @@ def rules_of(
     as_flown: bool = False,
     near: float = 1e-4,
     near_turn: float = 2e-5,
-) -> dict[Key, Array]:
+) -> Rules:
     """Return the rules of every panel position, rate setting and steering law.
 
     The rate setting, coarse or vernier, selects the POR limits. In modes 1 and 8, DIRECT and MASTER it also selects the
@@ -80,26 +82,51 @@ def rules_of(
     shared[NEAR], shared[NEAR_TURN] = near, near_turn
     shared[HELD : HELD + 9] = np.eye(3).ravel() if payload is None else payload.rotation.ravel()
     share = min(por.translation[0] / arm.por_limits(0.0).translation[0], 1.0)
-    result: dict[Key, Array] = {}
-    for mode in MODES.values():
-        for law in mode.laws:
-            for setting, rate in enumerate[Rate](("coarse", "vernier")):
-                rules = shared.copy()
-                rules[SPEED], rules[TURN] = por.translation[setting], por.rotation[setting]
-                if _by_joint(mode, law, strict):
-                    fastest = share * arm.rates.coarse
-                    rules[RATE : RATE + joints] = share * (arm.rates.coarse if rate == "coarse" else arm.rates.vernier)
-                else:
-                    fastest = rules[RATE : RATE + joints] = arm.rates.servo
-                rules[RATE_UP : RATE_UP + joints] = fastest * (por.acceleration / por.translation[0])
-                stops = arm.limits.hard if mode.kind == "single" else arm.limits.soft
-                rules[TOGETHER] = mode.kind == "manual"
-                rules[LOW : LOW + joints], rules[HIGH : HIGH + joints] = stops[:, 0], stops[:, 1]
-                if mode.loaded and payload is not None and not strict:
-                    rules[OFFSET : OFFSET + 3] = product(payload.rotation, payload.centre + payload.por)
-                rules.setflags(write=False)
-                result[mode.position, rate, law] = rules
-    return result
+    return Rules(arm, por, payload, shared, share, strict=strict)
+
+
+class Rules(dict[Key, Array]):
+    """Rules by panel position, rate setting and law; each is made when it is asked for first.
+
+    Arguments of the constructor are those of `rules_of`, what all rules have in common, and the share of its joint
+    rates that an arm with the payload has.
+    """
+
+    def __init__(
+        self, arm: ArmModel, por: PorLimits, payload: HeldPayload | None, shared: Array, share: float, *, strict: bool
+    ) -> None:
+        super().__init__()
+        self._arm, self._por, self._payload = arm, por, payload
+        self._shared, self._share, self._strict = shared, share, strict
+
+    def __missing__(self, key: Key) -> Array:
+        """Return the rules of a panel position, rate setting and law, and keep them.
+
+        Raises:
+            KeyError: there is no such position, setting or law.
+        """
+        position, rate, law = key
+        mode = MODES[position]
+        if rate not in SETTINGS or law not in mode.laws:
+            raise KeyError(key)
+        arm, por, share, setting = self._arm, self._por, self._share, SETTINGS.index(rate)
+        joints, rules = len(arm.joints), self._shared.copy()
+        rules[SPEED], rules[TURN] = por.translation[setting], por.rotation[setting]
+        if _by_joint(mode, law, self._strict):
+            fastest = share * arm.rates.coarse
+            rules[RATE : RATE + joints] = share * (arm.rates.coarse if rate == "coarse" else arm.rates.vernier)
+        else:
+            fastest = rules[RATE : RATE + joints] = arm.rates.servo
+        rules[RATE_UP : RATE_UP + joints] = fastest * (por.acceleration / por.translation[0])
+        stops = arm.limits.hard if mode.kind == "single" else arm.limits.soft
+        rules[TOGETHER] = mode.kind == "manual"
+        rules[LOW : LOW + joints], rules[HIGH : HIGH + joints] = stops[:, 0], stops[:, 1]
+        if mode.loaded and self._payload is not None and not self._strict:
+            payload = self._payload
+            rules[OFFSET : OFFSET + 3] = product(payload.rotation, payload.centre + payload.por)
+        rules.setflags(write=False)
+        self[key] = rules
+        return rules
 
 
 def _by_joint(mode: Mode, law: int, strict: bool) -> bool:

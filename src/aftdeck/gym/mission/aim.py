@@ -41,7 +41,7 @@ class Left(NamedTuple):
     """Remaining motion.
 
     Attributes:
-        known: whether there is a place to move to; without one, all that follows is 0.
+        known: whether there is a place to move to; without one, the tip is infinitely far from it, and below it.
         motion: motion x to R x + p in L that puts the tip or the payload at its place.
         distance: distance that the tip, or the payload, has to move [m].
         angle: remaining rotation [rad].
@@ -90,7 +90,7 @@ def left(aim: Array, frames: Array, tip: Place, payload: Place, held: int) -> Le
     carrier, by_payload = frames[int(aim[ROW])], aim[AT_BERTH] != 0.0
     begin = PLACES + POSE * held if by_payload else PLACES
     if by_payload and held < 0:
-        return Left(False, (_ZERO, UNTURNED), 0.0, 0.0, 0.0)
+        return Left(False, (_ZERO, UNTURNED), np.inf, np.inf, -np.inf)
     place_at, place = composed(vec3(carrier, 0), rows(carrier, 3), vec3(aim, begin), rows(aim, begin + 3))
     if by_payload:
         out = vec3(aim, OUT)

@@ -15,14 +15,15 @@ from aftdeck.gym.mission.observe import observe_all
 from aftdeck.gym.mission.score import CONTACT, SCORED, may_hold, reward, score_all
 from aftdeck.gym.mission.task import MissionTask
 from aftdeck.gym.terms import Floats32
-from aftdeck.simulation.batch import RATES, Batch
+from aftdeck.simulation.batch import Batch
 from aftdeck.simulation.inputs import Inputs
 from aftdeck.simulation.row.shown import COARSE, SWITCH, shown_of
 from aftdeck.simulation.run import Simulation
+from aftdeck.steering.rules import SETTINGS
 from aftdeck.task.reached import Since
 
 _COARSE, _VERNIER = 0, 1
-"""Indices in `RATES`."""
+"""Indices in `SETTINGS`."""
 _RATE, _EFFECTOR = 6, 7
 """Indices of the switches in an action."""
 
@@ -121,7 +122,7 @@ class MissionBatch:
             switches = 1.0 * (actions[:, _EFFECTOR] > SWITCHED) - 1.0 * (actions[:, _EFFECTOR] < -SWITCHED)
 
         def inputs(i: int) -> Inputs:
-            return inputs_of(mission, actions[i].tolist(), RATES[before[i]])
+            return inputs_of(mission, actions[i].tolist(), SETTINGS[before[i]])
 
         changed = self._batch.hold(sticks, self._wanted, switches, self._task.repeats, skipped, inputs)
         for i in changed:

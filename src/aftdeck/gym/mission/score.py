@@ -5,6 +5,7 @@ from __future__ import annotations
 from math import inf
 
 import numpy as np
+from msgspec.structs import replace
 
 from aftdeck.arrays import Array, Flags
 from aftdeck.gym.mission import definition
@@ -50,15 +51,25 @@ def reward(before: Array, after: Array, success: float) -> float:
 
 def limits_of(wanted: StateSpec) -> Array:
     """Return what the state that a step names needs of `ABOVE`, `DISTANCE`, `ANGLE` and `MET`, for `may_be_done`."""
-    above = -inf if wanted.above is None else float(wanted.above) - ROUNDING
-    distance = inf if wanted.within is None else float(wanted.within) + ROUNDING
-    angle = inf if wanted.within_angle is None else float(wanted.within_angle) + ROUNDING
+    rounding = 0.0 if is_decided(wanted) else ROUNDING
+    above = -inf if wanted.above is None else float(wanted.above) - rounding
+    distance = inf if wanted.within is None else float(wanted.within) + rounding
+    angle = inf if wanted.within_angle is None else float(wanted.within_angle) + rounding
     return np.array([above, distance, angle, 1.0 if wanted.ready else 0.0])
+
+
+_DECIDING = ("held", "berth", "above", "within", "within_angle")
+
+
+def is_decided(wanted: StateSpec) -> bool:
+    """Return whether `may_be_done` and `may_hold` decide whether a step is complete, so that no frame is needed."""
+    rest = replace(wanted, ready=None if wanted.ready else wanted.ready, **dict.fromkeys(_DECIDING))
+    return rest == StateSpec()
 
 
 @law
 def may_be_done(limits: Array, scored: Array) -> bool:
-    """Return False if a step of a task is certainly not complete: a frame, which tells, takes microseconds.
+    """Return whether a step of a task may be complete: False if it certainly is not.
 
     Args:
         limits: (4,) from `limits_of`.

@@ -15,7 +15,7 @@ from aftdeck.gym.choices import PLANTS, one_of
 from aftdeck.gym.mission.actions import repeats_of
 from aftdeck.gym.mission.definition import Mission
 from aftdeck.gym.mission.observation import Observer
-from aftdeck.gym.mission.score import CONTACT, limits_of, may_be_done, may_hold
+from aftdeck.gym.mission.score import CONTACT, is_decided, limits_of, may_be_done, may_hold
 from aftdeck.gym.mission.starts import Starts, base_of, step_of
 from aftdeck.gym.terms import Floats32
 from aftdeck.scenario.load import load_scenario
@@ -64,6 +64,7 @@ class MissionTask:
         frame = sim.step(self.first)
         self._starts = Starts(self.scenario, self.step, base, mission.spread, frame)
         self.observer, self.limits = Observer(self.scenario, self.step, frame), limits_of(self.step.done)
+        self._decided = is_decided(self.step.done)
 
     def simulation(self) -> Simulation:
         """Return a new simulation of the scenario."""
@@ -101,10 +102,13 @@ class MissionTask:
         return may_be_done(self.limits, scored) and may_hold(self.step.done, sim.parts[1].worksite)
 
     def is_complete(self, sim: Simulation, since: Since, scored: Array) -> bool:
-        """Return whether the task is complete, without a contact that ends the episode; arguments as from `begin`."""
+        """Return whether a task that may be complete is, without a contact that ends the episode.
+
+        The arguments are those that `begin` returns.
+        """
         if self.mission.contact_ends and scored[CONTACT] != 0.0:
             return False
-        return reached(self.aims, self.step, self.step.done, sim.look(), since)
+        return self._decided or reached(self.aims, self.step, self.step.done, sim.look(), since)
 
 
 def _loaded(scenario: str | Path, plant: Plant) -> Scenario:

@@ -17,7 +17,7 @@ from aftdeck.kinematics.payload import HeldPayload
 from aftdeck.scenario.limits import por_with
 from aftdeck.scenario.model import RateLimits, Scenario
 from aftdeck.state_part import Cache
-from aftdeck.steering.rules import Key, rules_of
+from aftdeck.steering.rules import Key, Rules, rules_of
 
 if TYPE_CHECKING:
     from aftdeck.simulation.operator.script import Kept
@@ -52,7 +52,7 @@ def steering_setup(scenario: Scenario, payload: HeldPayload | None, limits: Rate
 
 
 @lru_cache(maxsize=16)
-def _rules(scenario: Scenario, limits: RateLimits | None, mass: float, packed: bytes) -> dict[Key, Array]:
+def _rules(scenario: Scenario, limits: RateLimits | None, mass: float, packed: bytes) -> Rules:
     """Return the steering's rules; each episode of an environment begins with the same ones.
 
     Args:
