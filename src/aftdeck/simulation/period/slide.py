@@ -5,9 +5,12 @@ Source: Remote Manipulator Simulation, final report, section VII.4.
 
 from __future__ import annotations
 
+from math import sqrt
+
 import numpy as np
 
 from aftdeck.arrays import Array, Mask
+from aftdeck.bodies.vector import dot, minus, vector_at
 from aftdeck.law import large_law, law
 from aftdeck.simulation.period.actuator import after
 from aftdeck.simulation.period.predict import predicted
@@ -54,7 +57,10 @@ def slid_along(flat: Flat, rules: Array) -> bool:
     v, c, steering = now.scalars, world.constants, now.steering
     held, period, rate = int(v[HELD]), c[PERIOD], c[TELESCOPE_RATE]
     walls = world.slides[held]
-    near = met(watch.found, watch.near, walls, steering, abs(v[TELESCOPE]) * rate, period)
+    payload = now.frames[world.rows[held]]
+    away = minus(vector_at(payload, 0), vector_at(now.observed, 0))  # from the tip, if this is what the sticks move
+    size = sqrt(dot(away, away)) + pairs_of(flat).reach[world.rows[held]]
+    near = met(watch.found, watch.near, walls, steering, abs(v[TELESCOPE]) * rate, size, period)
     if near == 0.0:
         return True
     found = _touches(flat, walls, world.rows[held], near)

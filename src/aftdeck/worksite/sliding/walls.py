@@ -29,8 +29,6 @@ REACH_S = 2.0
 """Walls that the payload can reach within this number of steps at the present speed are considered [1]."""
 LEAST_REACH = 1e-6
 """Walls within this distance are considered at any speed [m]."""
-SIZE = 30.0
-"""Upper bound of the distance of a payload's points from the point of resolution [m]."""
 PASSES = 5
 """Greatest number of passes of the correction for the curvature of a step. Each pass divides the error by a
 thousand."""
@@ -40,7 +38,7 @@ as in contact up to a clearance of 1e-9 m."""
 
 
 @law
-def met(found: Array, near: Mask, counts: Mask, steering: Array, stand: float, period: float) -> float:
+def met(found: Array, near: Mask, counts: Mask, steering: Array, stand: float, size: float, period: float) -> float:
     """Return the distance within which walls are considered [m]; 0 if no wall is within this distance.
 
     Args:
@@ -49,13 +47,14 @@ def met(found: Array, near: Mask, counts: Mask, steering: Array, stand: float, p
         counts: (g,) 1 for groups that consist of a sliding part and a wall.
         steering: state of the steering, with the step's commanded twist.
         stand: speed of the telescope [m/s].
+        size: upper bound of the distance of the payload's points from the point of resolution [m].
         period: duration of a step [s].
     """
     turn, speed = 0.0, stand
     for k in range(3):
         turn += abs(steering[TWIST + k])
         speed += abs(steering[TWIST + 3 + k])
-    reach: float = max(REACH_S * (speed + SIZE * turn) * period, LEAST_REACH)
+    reach: float = max(REACH_S * (speed + size * turn) * period, LEAST_REACH)
     wall = minimum_clearance_group(found, near, counts)
     return reach if wall >= 0 and found[wall, CLEARANCE] <= reach else 0.0
 
