@@ -26,28 +26,31 @@ PLANTS = ("rigid", "flexible")
 
 
 def simulation() -> None:
-    """Compile the laws of runs, with and without masses."""
+    """Compile the laws of runs, with and without masses, and those of environments that fly them."""
+    import gymnasium  # noqa: PLC0415
+
     from aftdeck.simulation.warm import warm_up  # noqa: PLC0415  (imports only what this process compiles)
 
     for name in SCENARIOS:
         warm_up(loaded.scenario(name))
     for plant in PLANTS:
         warm_up(aftdeck.load_scenario("srms-deploy", {("plant",): plant}))
+    for name in ("Reach", "Capture"):
+        batch = gymnasium.make_vec(f"aftdeck.gym:aftdeck/{name}-v0", num_envs=64)
+        batch.reset(seed=1)
+        batch.step(batch.action_space.sample())
 
 
 def pictures_and_batches() -> None:
-    """Compile the laws of pictures, of the environment Reach, and of batches of arms."""
+    """Compile the laws of pictures, of the single environment Reach, and of batches of arms."""
     import gymnasium  # noqa: PLC0415
 
     from aftdeck.visual.warm import warm_up  # noqa: PLC0415
 
     warm_up()
-    for environment in (
-        gymnasium.make("aftdeck.gym:aftdeck/Reach-v0"),
-        gymnasium.make_vec("aftdeck.gym:aftdeck/Reach-v0", num_envs=64),
-    ):
-        environment.reset(seed=1)
-        environment.step(environment.action_space.sample())
+    environment = gymnasium.make("aftdeck.gym:aftdeck/Reach-v0")
+    environment.reset(seed=1)
+    environment.step(environment.action_space.sample())
     arm = loaded.arm()
     steer_batch(arm, np.zeros((2, 6)), arm.forward(np.zeros(6)), period=0.02, gain=1.0)
 

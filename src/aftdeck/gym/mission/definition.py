@@ -22,7 +22,7 @@ class Spread(NamedTuple):
     """Random start of an episode, relative to the pose to which the step's task leads.
 
     Attributes:
-        least: least distance from that pose, along the way out [m].
+        least: least distance from that pose, or from the upper ends of the berth's guides, along the way out [m].
         greatest: greatest such distance [m].
         across: greatest displacement along each of the two axes across the way out [m].
         turn: greatest rotation about each axis of the tip [rad].
@@ -70,7 +70,8 @@ class Mission(NamedTuple):
             case "Extract":
                 return isinstance(step.target, AtBerth) and step.done.held is True and step.done.above is not None
             case _:
-                return isinstance(step.target, AtBerth) and step.done.berth is not None and step.done.held is None
+                ends = step.done.berth is not None or step.done.ready is True
+                return isinstance(step.target, AtBerth) and ends and step.done.held is None
 
 
 STICKS = (

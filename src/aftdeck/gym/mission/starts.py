@@ -52,10 +52,12 @@ class Starts:
         model = scenario.arm.model
         self._arm = scenario.arm if base.stand == float(model.links[0]) else scenario.arm.at(stand=base.stand)
         self._places = Places(scenario)
+        target = step.target
+        self._mouth = self._places.berths[target.berth].mouth if isinstance(target, AtBerth) else 0.0
 
     def draw(self, random: np.random.Generator) -> Start | None:
         """Return random initial conditions; None if the arm cannot reach them."""
-        away = float(random.uniform(self._spread.least, self._spread.greatest))
+        away = self._mouth + float(random.uniform(self._spread.least, self._spread.greatest))
         across = random.uniform(-self._spread.across, self._spread.across, 2).tolist()
         turn = random.uniform(-self._spread.turn, self._spread.turn, 3).tolist()
         pose = self._places.target(self._frame, self._target(away, across))

@@ -120,6 +120,14 @@ class Site:
         """Return the constants of payload k in the berth with this name; None if the berth does not accept it."""
         return next((fit for fit in self.fits[k] if fit.berth.name == name), None)
 
+    def number(self, k: int, name: str) -> int:
+        """Return the number of the berth with this name among those of all payloads, one after the other.
+
+        -1 if the berth does not accept payload k.
+        """
+        names = [fit.berth.name for fit in self.fits[k]]
+        return sum(map(len, self.fits[:k])) + names.index(name) if name in names else -1
+
     def in_space(self, name: str) -> bool:
         """Return whether a berth is fixed in the frame ``space``, which does not move with the orbiter."""
         return self.berth(name).frame == "space"

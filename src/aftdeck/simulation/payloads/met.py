@@ -57,12 +57,12 @@ def share_met(
     berth = begin + nearest
     if nearest < 0 or shown[RELEASED] == berth:
         return 0.0
-    met, number = _berth_met(world, aligning, frames, held, berth)
+    met, number = berth_met(world, aligning, frames, held, berth)
     return float(met / (number + shown[TAKEN + berth]))
 
 
 @law
-def _berth_met(world: World, aligning: Aligning, frames: Array, held: int, berth: int) -> tuple[int, int]:
+def berth_met(world: World, aligning: Aligning, frames: Array, held: int, berth: int) -> tuple[int, int]:
     """Return how many conditions of a berth hold for the held payload, and their number."""
     port, payload = world.ports[berth], frames[world.rows[held]]
     if aligning.fits[berth] == DOCKING:

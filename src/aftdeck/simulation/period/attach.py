@@ -10,6 +10,7 @@ from aftdeck.arrays import Array
 from aftdeck.bodies.pose import turned
 from aftdeck.bodies.vector import plus, vector_at
 from aftdeck.law import large_law, law
+from aftdeck.simulation.payloads.met import berth_met
 from aftdeck.simulation.payloads.relations import approached
 from aftdeck.simulation.payloads.task_phases import ACQUISITION, DOCKED, EXTRACTION, MANOEUVRING
 from aftdeck.simulation.row.aligning import Aligning, aligning_of
@@ -71,7 +72,7 @@ def attached(flat: Flat) -> bool:
         else:
             place_bars(pairs, own, world.bars)
             captures = captures or acquired_bar(own.placed, world.bars, world.tolerances) >= 0
-    berths, inside = v[RELEASED] != 0.0, False
+    berths, inside = v[RELEASED] != 0.0 and not _stays(world, aligning_of(flat), now, held), False
     if held >= 0 and v[FIXED] == 0.0:
         begin, end = world.berth_begins[held], world.berth_begins[held + 1]
         number = nearest_place(now.frames, world.rows[held], world.berths[begin:end], world.places[begin:end], NEAR)
@@ -167,6 +168,18 @@ def _pin_inside(world: World, aligning: Aligning, now: Motion) -> bool:
         if away < nearest:
             nearest, inside = away, inside_envelope(aligning.envelope, out, y, z, attitude)
     return inside
+
+
+@law
+def _stays(world: World, aligning: Aligning, now: Motion, held: int) -> bool:
+    """Return whether the held payload is still where a berth has just released it, so that nothing changes."""
+    berth = int(now.scalars[RELEASED]) - 1
+    begin, end = world.berth_begins[held], world.berth_begins[held + 1]
+    nearest = nearest_place(now.frames, world.rows[held], world.berths[begin:end], world.places[begin:end], NEAR)
+    if berth < 0 or begin + nearest != berth:
+        return False
+    met, number = berth_met(world, aligning, now.frames, held, berth)
+    return met == number
 
 
 @law

@@ -6,7 +6,7 @@ import numpy as np
 
 from aftdeck.arrays import Array
 from aftdeck.bodies.pose import POSE
-from aftdeck.law import law
+from aftdeck.law import large_law, law
 from aftdeck.lent import lend
 from aftdeck.simulation.period.attach import attached
 from aftdeck.simulation.period.contact import judged, seen
@@ -70,7 +70,7 @@ def advance(
     return periods(lent(arrays), lend(rules), lend(resting), lend(links), lend(sticks), observes, most)
 
 
-@law
+@large_law
 def periods(flat: Flat, rules: Array, resting: Array, links: Array, sticks: Array, observes: bool, most: int) -> int:
     """Make control steps; the arguments and the result are those of `advance`."""
     v, found, reached = motion_of(flat).scalars, watch_of(flat).found, UNCHANGED

@@ -178,10 +178,12 @@ def give(flight: Flight, state: State, inputs: Inputs) -> None:
     site, worksite, panel, plant = flight.site, state.worksite, state.panel, state.plant
     held, kind = worksite.held, MODES[panel.mode].kind
     inhibit = worksite.contacts.inhibit
-    released, docked = "", False
+    released, docked = 0, False
     if held is not None:
         payload = worksite.payloads[held]
-        released, docked = payload.released_from, bool(payload.berth) and site.berth(payload.berth).docks
+        docked = bool(payload.berth) and site.berth(payload.berth).docks
+        if payload.released_from:
+            released = 1 + site.number(held, payload.released_from) or -1
     works, pressed = RESTS, inputs.effector is not None
     if (pressed or worksite.snare.motion or worksite.rigid != "off") and not (
         site.capture is None or state.script.attached
@@ -204,7 +206,7 @@ def give(flight: Flight, state: State, inputs: Inputs) -> None:
         -1 if held is None else held,
         worksite.arm_fixed,
         docked,
-        bool(released),
+        released,
         panel.brakes or panel.safing,
         kind == "automatic",
         panel.sequence == "in progress",

@@ -20,7 +20,8 @@ FIXED = 8
 AT_PORT = 9
 """1 if this berth is a port."""
 RELEASED = 10
-"""1 if a berth has just released the held payload."""
+"""1 more than the number of the berth that has just released the held payload, numbered as in `World.berths`; 0 for
+none, -1 for one that does not accept it."""
 LOCKED = 11
 """1 if BRAKES or SAFING stops the joints."""
 AUTOMATIC = 12

@@ -16,7 +16,6 @@ from aftdeck.steering.mode import MODES, ORB_LD_TURNING
 
 if TYPE_CHECKING:
     from aftdeck.simulation.constants.flight import Flight
-    from aftdeck.simulation.constants.site import Site
     from aftdeck.simulation.state import State
 
 AXES = 0
@@ -61,7 +60,7 @@ def shown_of(flight: Flight, state: State) -> Array:
         DRIVES[worksite.switch],
         -1 if held is None else held,
         worksite.arm_fixed,
-        -1 if held is None else _number(flight.site, held, worksite.payloads[held].released_from),
+        -1 if held is None else flight.site.number(held, worksite.payloads[held].released_from),
         own is not None,
     )
     if own is not None:
@@ -77,9 +76,3 @@ def write_effector(state: State) -> None:
     """Write prong and snares as they are after a step that Python code has completed into the state's row."""
     state.row.scalars[PRONG_AT] = state.worksite.prong.position
     state.row.snare[:] = state.worksite.snare.packed
-
-
-def _number(site: Site, k: int, name: str) -> int:
-    """Return the number of payload k's berth with this name; -1 if there is none."""
-    names = [fit.berth.name for fit in site.fits[k]]
-    return sum(map(len, site.fits[:k])) + names.index(name) if name in names else -1

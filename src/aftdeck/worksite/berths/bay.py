@@ -91,6 +91,11 @@ class BayBerth(Berth, frozen=True, eq=False, kw_only=True):
     guides: GuidesFile | None
     """V-guides; None if there are none."""
 
+    @property
+    def mouth(self) -> float:
+        """Distance from the seated position, upwards, at which the V-guides end [m]; 0 without any."""
+        return 0.0 if self.guides is None else float(self.guides.height)
+
     def fit(self, payload: Payload, row: int, axes: str) -> Fit:
         """Return the constants of a payload in this berth; arguments as for `Berth.fit`."""
         del axes

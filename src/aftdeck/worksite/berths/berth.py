@@ -133,6 +133,11 @@ class Berth(msgspec.Struct, frozen=True, eq=False, kw_only=True):
     needs: Literal["", "probe", "trunnions"]
     """Fitting by which the berth holds a payload; empty if it holds any payload."""
 
+    @property
+    def mouth(self) -> float:
+        """Distance from the seated position, along the way out, at which the berth's guides end [m]; 0 without any."""
+        return 0.0
+
     def lacks(self, probe: Pose | None, trunnions: Array) -> str:
         """Return the name of the fitting that this berth needs and a payload lacks; empty if the payload fits.
 
