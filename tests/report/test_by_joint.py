@@ -5,7 +5,6 @@ from __future__ import annotations
 import pytest
 
 from aftdeck.export.state import StateReader
-from aftdeck.gym.mission.observation import Observer
 from aftdeck.recording.codec import as_read, decode, encode
 from aftdeck.recording.records import FrameRecord
 from aftdeck.report.catalogue import named
@@ -83,12 +82,9 @@ def test_frame_is_recorded_with_a_value_for_each_joint(flown: tuple[Scenario, Fr
 
 
 @EACH
-def test_observations_and_states_have_an_angle_and_a_rate_of_each_joint(
-    flown: tuple[Scenario, Frame], joints: int
-) -> None:
+def test_states_have_an_angle_and_a_rate_of_each_joint(flown: tuple[Scenario, Frame], joints: int) -> None:
     made, frame = scenario_with_joints(flown[0], joints), frame_with_joints(flown[1], joints)
-    observer, state = Observer(made, frame), StateReader(made)
-    assert observer.of(frame, None).shape == observer.space.shape
+    state = StateReader(made)
     names, seen = state.names, state.of(frame, None)
     for kind, values in (("angle", frame.angles), ("rate", frame.rates)):
         found = [seen[names.index(f"{kind}_joint_{k}")] for k in range(joints)]

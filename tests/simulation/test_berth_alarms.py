@@ -94,7 +94,7 @@ def counted(side: float = 0.0, tilt: float = 0.0) -> tuple[Array, Array, Array]:
     frames[row, :3] += rotation @ (along * fit.way_out + side * across)
     frames[row, 3:] = (rotation @ np.array([[1, 0, 0], [0, c, -s], [0, s, c]])).ravel()
     watch = ClearanceMonitor(site.layout)
-    watch.update(frames, frames, 1.0)
+    watch.update(frames)
     worksite.nearest, worksite.aligned_with = -1, None
     counts, _ = alarm_pairs(sim._flight, sim._state, watch, frames, worksite.permitted)
     pairs = site.seated[0, fit.berth.name] != 0
@@ -172,7 +172,7 @@ def test_a_payload_that_leaves_the_way_sideways_is_warned_before_it_touches(step
             continue
         watch = ClearanceMonitor(site.layout)
         watch.active = state.worksite.watch.active.copy()
-        watch.update(state.worksite.frames, state.worksite.frames, 1.0)
+        watch.update(state.worksite.frames)
         pairs = (site.seated[0, site.fits[0][0].berth.name] != 0) & (site.detrimental != 0)
         least = float(watch.found[pairs, CLEARANCE].min())
         offset = site.fits[0][0].offset(state.worksite.frames, site.payload_rows[0])[:3]

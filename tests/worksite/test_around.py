@@ -71,7 +71,7 @@ def test_step_equals_its_separate_contact_updates(name: str) -> None:
         sim.advance(inputs)
         if not np.array_equal(watch.active, worksite.watch.active):
             continue  # a payload was captured or released at the end of the step
-        watch.look_near(worksite.before, worksite.frames, period, counts, max(WATCHED, FAST * period))
+        watch.look_near(worksite.frames, counts, max(WATCHED, FAST * period))
         assert np.array_equal(watch.found, worksite.watch.found)
         assert np.array_equal(watch.placed, worksite.watch.placed)
         touching = watch.found[:, 0] <= 1e-9

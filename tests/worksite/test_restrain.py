@@ -96,7 +96,7 @@ def test_motion_is_allowed_only_if_it_relieves_contacts_and_makes_none(seed: int
     made, layout = scene(rng)
     watch, now = ClearanceMonitor(layout), poses(rng)
     counts = layout.carried(CHAIN)
-    watch.update(now, now, PERIOD)
+    watch.update(now)
     found = watch.found.copy()
     here = clearances(made, layout, now)
     for _ in range(3):
@@ -122,14 +122,14 @@ def test_inhibited_arm_never_deepens_a_contact(seed: int) -> None:
     made, layout = scene(rng)
     watch, now = ClearanceMonitor(layout), poses(rng)
     counts = layout.carried(CHAIN)
-    watch.update(now, now, PERIOD)
+    watch.update(now)
     start = before = clearances(made, layout, now)
     assume((before[counts == 1] <= CONTACT).any())
     lost = 0.0
     for _ in range(25):
         then = arm_moved(rng, now, rng.choice([0.01, 1.0]))
         if relieves(watch, counts, then):
-            watch.update(now, then, PERIOD)
+            watch.update(then)
             after = clearances(made, layout, then)
             most = lost_at_most(before, after, gained_clearance(made, layout, counts, now, then)[0])
             assert (after[before <= CONTACT] >= before[before <= CONTACT] - 2.0 * most).all()
@@ -165,7 +165,7 @@ def test_single_contact_always_has_an_escape_direction(seed: int, box: bool) -> 
     now = poses(rng)[[0, 2]]
     now[1, :3] = 0.2 * rng.normal(size=3) * np.ptp(shapes, axis=1).min()
     watch, counts = ClearanceMonitor(layout), np.ones(1, np.uint8)
-    watch.update(now, now, PERIOD)
+    watch.update(now)
     assume(watch.found[0, CLEARANCE] <= CONTACT)
     step = 0.02
     for _ in range(400):
@@ -178,7 +178,7 @@ def test_single_contact_always_has_an_escape_direction(seed: int, box: bool) -> 
         # any escape direction is within 55 deg of one of three perpendicular axes
         assert gains[best] >= step / sqrt(3.0) - 1e-12
         assert relieves(watch, counts, candidates[best])
-        watch.update(now, candidates[best], PERIOD)
+        watch.update(candidates[best])
         now = candidates[best]
         assert watch.found[0, CLEARANCE] - clearance == pytest.approx(gains[best], abs=1e-12)
     assert watch.found[0, CLEARANCE] > CONTACT
@@ -196,12 +196,12 @@ def test_escape_direction_into_another_contact_is_rejected() -> None:
     watch, counts = ClearanceMonitor(layout), np.ones(2, np.uint8)
     now = np.zeros((2, 12))
     now[:, 3:] = np.eye(3).ravel()
-    watch.update(now, now, PERIOD)
+    watch.update(now)
     up = now.copy()
     for height, free in ((0.005, True), (0.0101, False)):
         up[1, 2] = -height
         assert relieves(watch, counts, up) is free
         assert (relief(trial_of(watch, counts, counts, up)) > 0.0) == free
     watch.active[1] = 0
-    watch.update(now, now, PERIOD)
+    watch.update(now)
     assert relieves(watch, counts, up)

@@ -128,7 +128,7 @@ def test_payload_pushed_in_a_trough_slides_and_stays_out_of_its_walls(seed: int,
     demanded = rng.normal(size=6) * np.repeat([0.05 * turning, 0.5], 3)
     tip = np.array([0.0, 0.0, -1.0])
     along = 0.0
-    watch.update(now, now, period)
+    watch.update(now)
     for _ in range(120):
         rows = touches(watch, counts, 0.1, period, 0.02)
         grip = now[1, :3] + now[1, 3:].reshape(3, 3) @ tip
@@ -136,9 +136,9 @@ def test_payload_pushed_in_a_trough_slides_and_stays_out_of_its_walls(seed: int,
         carried = np.zeros((2, 6))
         carried[1] = twist
         carried[1, 3:] -= np.cross(twist[:3], grip)
-        before, now = now, moved(now, carried, period)
+        now = moved(now, carried, period)
         along += twist[3] * period
-        watch.update(before, now, period)
+        watch.update(now)
         # with 0.005 rad per step, a corner 4 m away deviates from its straight path by 5e-5 m
         assert watch.found[:, CLEARANCE].min() > (-1e-4 if turning else -1e-9)
     assert clearances(made, layout, now) == pytest.approx(watch.found[:, CLEARANCE], abs=1e-12)
@@ -159,12 +159,12 @@ def test_contact_points_of_a_payload_are_its_corners_at_the_wall() -> None:
     now = np.zeros((2, 12))
     now[:, 3:] = np.eye(3).ravel()
     now[1, 1] = 1.01
-    watch.update(now, now, 0.1)
+    watch.update(now)
     rows = touches(watch, counts, 0.02, 0.1, 0.05)
     assert rows[:, 3:6] == pytest.approx(np.tile([0.0, 1.0, 0.0], (5, 1)), abs=1e-12)
     assert rows[:, 6] == pytest.approx(np.full(5, -0.1))
     assert {tuple(row) for row in rows[1:, :3].round(9)} == {(x, 0.51, z) for x in (-0.5, 0.5) for z in (-0.5, 0.5)}
     assert len(touches(watch, counts, 0.005, 0.1, 0.05)) == 0
     now[1, 1] = 0.99
-    watch.update(now, now, 0.1)
+    watch.update(now)
     assert touches(watch, counts, 0.02, 0.1, 0.05)[:, 6] == pytest.approx(np.full(5, 0.05))

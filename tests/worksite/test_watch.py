@@ -9,8 +9,9 @@ from hypothesis import strategies as st
 
 from aftdeck.arrays import Array
 from aftdeck.bodies.pair import CONTACT
+from aftdeck.worksite.watch.approach import approach
 from aftdeck.worksite.watch.clearance_monitor import FAR, ClearanceMonitor
-from aftdeck.worksite.watch.found import CLEARANCE, DISTANCE, NORMAL, POINT_A, POINT_B, SPEED, WHICH
+from aftdeck.worksite.watch.found import CLEARANCE, DISTANCE, NORMAL, POINT_A, POINT_B, WHICH
 from tests.each import number
 from tests.worksite.scenes import clearances, moved, placed, poses, scene
 
@@ -25,6 +26,14 @@ def drift(rng: np.random.Generator, pace: float = 1.0) -> Array:
     return twists
 
 
+def approaches(watch: ClearanceMonitor, before: Array, now: Array) -> Array:
+    """Return the speed (g,) at which the closest points of each group approach each other [m/s]."""
+    layout = watch.layout
+    return np.array(
+        [approach(watch.found, g, layout.pairs, layout.frame, before, now, PERIOD) for g in range(len(watch.found))]
+    )
+
+
 @settings(max_examples=number(4, 40), deadline=None)
 @given(seeds)
 def test_pair_clearance_is_that_of_its_nearest_solids(seed: int) -> None:
@@ -34,7 +43,7 @@ def test_pair_clearance_is_that_of_its_nearest_solids(seed: int) -> None:
     for step in range(4):
         # a jump at step 2, after which the cache is useless
         now = poses(rng, 1.0) if step == 2 else moved(before, twists, PERIOD)
-        watch.update(before, now, PERIOD)
+        watch.update(now)
         expected = clearances(made, layout, now)
         assert watch.found[:, CLEARANCE] == pytest.approx(expected, abs=1e-12)
         for g, row in enumerate(watch.found):
@@ -63,22 +72,23 @@ def test_closing_speed_is_the_rate_of_decrease_of_clearance(seed: int) -> None:
     made, layout = scene(rng)
     now, twists, instant = poses(rng), drift(rng), 1e-5
     watch = ClearanceMonitor(layout)
-    watch.update(moved(now, twists, -PERIOD), now, PERIOD)
+    watch.update(now)
+    speeds = approaches(watch, moved(now, twists, -PERIOD), now)
     here = clearances(made, layout, now)
     fall = (here - clearances(made, layout, moved(now, twists, instant))) / instant
     fell = (clearances(made, layout, moved(now, twists, -instant)) - here) / instant
     smooth = np.abs(fall - fell) < 1e-3
     assume(smooth.sum() > len(smooth) // 2)
-    assert watch.found[smooth, SPEED] == pytest.approx(0.5 * (fall + fell)[smooth], abs=2e-3)
-    assert np.median(np.abs(watch.found[smooth, SPEED] - 0.5 * (fall + fell)[smooth])) < 1e-7
+    assert speeds[smooth] == pytest.approx(0.5 * (fall + fell)[smooth], abs=2e-3)
+    assert np.median(np.abs(speeds[smooth] - 0.5 * (fall + fell)[smooth])) < 1e-7
 
 
 def test_stationary_bodies_have_zero_closing_speed() -> None:
     rng = np.random.default_rng(5)
     _, layout = scene(rng)
     watch, now = ClearanceMonitor(layout), poses(rng)
-    watch.update(now, now, PERIOD)
-    assert not watch.found[:, SPEED].any()
+    watch.update(now)
+    assert not approaches(watch, now, now).any()
 
 
 @settings(max_examples=10, deadline=None)
@@ -90,15 +100,15 @@ def test_inactive_pair_is_not_computed_and_changes_no_other_pair(seed: int) -> N
     part.active[:] = rng.integers(0, 2, len(part.active))
     for _ in range(3):
         before, now = now, moved(now, twists, PERIOD)
-        whole.update(before, now, PERIOD)
-        part.update(before, now, PERIOD)
+        whole.update(now)
+        part.update(now)
     counts = part.active == 1
     assert np.array_equal(part.found[counts], whole.found[counts])
     assert np.isinf(part.found[~counts, CLEARANCE]).all()
     part.active[:] = 1
-    part.update(before, now, PERIOD)
+    part.update(now)
     assert part.found[:, CLEARANCE] == pytest.approx(whole.found[:, CLEARANCE], abs=1e-12)
-    assert part.found[:, SPEED] == pytest.approx(whole.found[:, SPEED], abs=1e-6)
+    assert approaches(part, before, now) == pytest.approx(approaches(whole, before, now), abs=1e-6)
 
 
 @settings(max_examples=10, deadline=None)
@@ -111,11 +121,11 @@ def test_monitor_without_cache_gives_bit_identical_results(seed: int, within: fl
     counts = rng.integers(0, 2, len(watch.active)).astype(np.uint8)
     for step in range(8):
         # without motion, parallel faces stay parallel, and many points are equally close
-        before, now = now, moved(now, twists, PERIOD) if step % 3 else now
+        now = moved(now, twists, PERIOD) if step % 3 else now
         forgetful.forget()
         for one in (watch, forgetful):
             one.active[:] = active
-            one.look_near(before, now, PERIOD, counts, within)
+            one.look_near(now, counts, within)
         assert watch.found.tobytes() == forgetful.found.tobytes()
         assert watch.placed.tobytes() == forgetful.placed.tobytes()
 
@@ -138,10 +148,10 @@ def test_list_of_small_bounds_leaves_out_no_group_that_matters(
             counts = (rng.random(groups) < share).astype(np.uint8)
         if rng.random() < 0.05:
             watch.active[:] = forgetful.active[:] = rng.random(groups) < 0.9
-        before, now = now, moved(now, twists, PERIOD)
+        now = moved(now, twists, PERIOD)
         forgetful.forget()
         for one in (watch, forgetful):
-            one.look_near(before, now, PERIOD, counts, within)
+            one.look_near(now, counts, within)
         lists += watch.listed[-1] < forgetful.active.sum()
         assert watch.found.tobytes() == forgetful.found.tobytes()
         bounds = watch.bound - (watch.moved[layout.between_frames] @ (1.0, 1.0))
@@ -156,12 +166,12 @@ def test_nearest_pair_is_the_closest_of_the_selected_pairs() -> None:
     rng = np.random.default_rng(6)
     _, layout = scene(rng)
     watch, now = ClearanceMonitor(layout), poses(rng)
-    watch.update(now, now, PERIOD)
+    watch.update(now)
     counts = np.ones(len(layout.groups), np.uint8)
     for expected in np.argsort(watch.found[:, CLEARANCE]):
         assert watch.nearest(counts) == expected
         counts[expected] = 0
     assert watch.nearest(counts) == -1
     watch.active[:] = 0
-    watch.update(now, now, PERIOD)
+    watch.update(now)
     assert watch.nearest(counts + 1) == -1

@@ -159,10 +159,10 @@ def _set_to_start(flight: Flight, state: State, start: Start) -> None:
             plant.bodies.held_for[k] = [math.inf if by else 0.0 for by in held_by(site, one)]
     worksite.before[:] = frames
     worksite.monitored_before[:] = worksite.watch.active
-    worksite.watch.look_near(frames, frames, scenario.control_period, worksite.watch.active, flight.within)
+    worksite.watch.look_near(frames, worksite.watch.active, flight.within)
     worksite.permitted[:] = permitted(flight, state, worksite.watch, frames)
     worksite.contacts.update(worksite.watch.found, worksite.watch.near, site.by_prong, worksite.task)
     count(flight, state)
-    worksite.watch.look_near(frames, frames, scenario.control_period, worksite.watch.counts, flight.within)
+    worksite.watch.look_near(frames, worksite.watch.counts, flight.within)
     worksite.nearest = worksite.watch.nearest(worksite.watch.counts)
     change_task(worksite, task_of(site, worksite), state.log(scenario.control_period))

@@ -48,6 +48,6 @@ def restore_clearances(flight: Flight, state: State) -> None:
         nearest[worksite.nearest] = 1
     watch.forget()
     watch.active[:] = worksite.monitored_before
-    watch.look_near(worksite.before, worksite.frames, flight.scenario.control_period, nearest, flight.within)
+    watch.look_near(worksite.frames, nearest, flight.within)
     worksite.select_monitored(flight.site)
     count(flight, state)

@@ -105,7 +105,7 @@ def _carry(flight: Flight, state: State) -> None:
     state.carried = carried_by(flight.scenario, flight.site, state.worksite, state.script)
     change_task(worksite, task_of(site, worksite), log)
     frame_of(flight, state, digest(state))
-    worksite.watch.update(worksite.frames, worksite.frames, flight.scenario.control_period)
+    worksite.watch.update(worksite.frames)
     for fit in site.fits[0]:
         conditions_at(site, worksite, 0, fit)
     empty_grasp(site, worksite, state.panel, log, 0)

@@ -174,7 +174,7 @@ def test_near_pairs_are_those_of_a_plain_search() -> None:
         layout = layout_of(frames, solids, pairs)
         watch = ClearanceMonitor(layout)
         poses = np.tile([0.0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1], (3, 1))
-        watch.update(poses, poses, 0.02)
+        watch.update(poses)
         watch.active[rng.integers(len(layout.groups))] = 0
         near = np.zeros((200, 3), dtype=np.int64)
         count = near_of(watch, poses, poses, near)
@@ -214,7 +214,7 @@ def test_pairs_are_near_if_they_cover_their_distance_in_one_step() -> None:
         before[1:, :3] = now[1:, :3] - shared  # a motion of both parts together does not bring them nearer
         before[2, 0] -= way
         watch = ClearanceMonitor(layout)
-        watch.update(before, now, period)
+        watch.update(now)
         near = np.zeros((1, 3), dtype=np.int64)
         assert near_of(watch, before, now, near, period) == (gap < 0.3 + abs(way))
 

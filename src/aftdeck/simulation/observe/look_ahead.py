@@ -113,7 +113,7 @@ def look_ahead(flight: Flight, state: State, seconds: float, last: Axis | None =
         steering[SHOULDER_OFFSET] += height - stand.after(travel, driven, (sample - 1) * period)
         angles = steering[ANGLES : ANGLES + joints]
         frames = frames_at(site, worksite, state.plant, angles, height, worksite.prong.position)
-        watch.look_near(frames, frames, period, site.detrimental, 0.0)
+        watch.look_near(frames, site.detrimental, 0.0)
         may = permitted(flight, state, watch, frames)
         # a pair that is aligned now is not tested: its parts will be docked or latched before they penetrate deeply;
         # a payload that is docked moves no further
@@ -122,7 +122,7 @@ def look_ahead(flight: Flight, state: State, seconds: float, last: Axis | None =
         if contact is None and not docked and touching >= 0 and watch.found[touching, CLEARANCE] <= CONTACT:
             contact = sample * period
     counts = alarm_pairs(flight, state, watch, frames, may)[0]
-    watch.look_near(frames, frames, period, counts, 0.0)
+    watch.look_near(frames, counts, 0.0)
     group = watch.nearest(counts)
     predicted = tuple(angles.tolist())
     joint, room = _room(flight.reach, predicted)
@@ -133,7 +133,7 @@ def look_ahead(flight: Flight, state: State, seconds: float, last: Axis | None =
         angles=predicted,
         stand=height,
         payloads=tuple(_placed(row) for row in frames[len(frames) - len(site.payloads) :].tolist()),
-        nearest=None if group < 0 else near_of(site.layout, worksite.contacts.essential, watch.found, group),
+        nearest=None if group < 0 else near_of(site.layout, worksite.contacts.essential, watch, group, frames, period),
         contact_s=contact,
         stopping=_stopping(state),
         joint=joint,

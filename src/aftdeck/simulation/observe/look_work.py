@@ -5,7 +5,6 @@ from __future__ import annotations
 import numpy as np
 
 from aftdeck.arrays import Array, Mask
-from aftdeck.bodies.pair import CONTACT
 from aftdeck.bodies.separation import named
 from aftdeck.plant.state import PlantState
 from aftdeck.simulation.constants.flight import Flight
@@ -19,7 +18,9 @@ from aftdeck.steering.mode import MODES
 from aftdeck.tuples import Joints, Vec3
 from aftdeck.worksite.capture import bar, snares
 from aftdeck.worksite.report import Cargo, Hand, Near, Work
-from aftdeck.worksite.watch.found import CLEARANCE, DISTANCE, FEATURE_A, FEATURE_B, NORMAL, POINT_A, POINT_B, SPEED
+from aftdeck.worksite.watch.approach import measures
+from aftdeck.worksite.watch.clearance_monitor import ClearanceMonitor
+from aftdeck.worksite.watch.found import CLEARANCE
 from aftdeck.worksite.watch.groups import Layout
 
 _ZERO = (0.0, 0.0, 0.0)
@@ -34,14 +35,17 @@ def work_of(flight: Flight, state: State) -> Work:
     reasons: tuple[str, ...] = ()
     if worksite.logged_contacts:
         found = worksite.watch.found
-        contacts = tuple(near_of(layout, essential, found, group) for group in worksite.contacts.groups(found))
+        contacts = tuple(
+            near_of(layout, essential, worksite.watch, group, worksite.before, period)
+            for group in worksite.contacts.groups(found)
+        )
         if inhibit.arm:
             standing = worksite.contacts.standing(layout, found, flight.scenario.arm.model.units)
             reasons = tuple(contact.text for contact in standing if contact.inhibits)
     objective, conditions = present_objective(site, worksite)
     return Work(
         task=worksite.task,
-        nearest=None if group < 0 else near_of(layout, essential, worksite.watch.found, group),
+        nearest=None if group < 0 else near_of(layout, essential, worksite.watch, group, worksite.before, period),
         clearance_level=state.panel.clearance,
         contacts=contacts,
         arm_inhibit=inhibit.arm,
@@ -61,11 +65,11 @@ def work_of(flight: Flight, state: State) -> Work:
 def all_near(layout: Layout, worksite: WorksiteState, period: float) -> tuple[Near, ...]:
     """Return every monitored pair, the smallest clearance first; `period`: the control period [s]."""
     watch, essential = worksite.watch.copied(), worksite.contacts.essential
-    watch.update(worksite.before, worksite.frames, period)
+    watch.update(worksite.frames)
     found = watch.found[:, CLEARANCE]
     groups = np.flatnonzero(np.isfinite(found))
     order = groups[np.argsort(found[groups], kind="stable")].tolist()
-    return tuple(near_of(layout, essential, watch.found, group) for group in order)
+    return tuple(near_of(layout, essential, watch, group, worksite.before, period) for group in order)
 
 
 def _displacement(site: Site, worksite: WorksiteState, plant: PlantState) -> Vec3:
@@ -102,26 +106,33 @@ def _master(state: State) -> Joints:
     return tuple(state.command[MASTER : MASTER + len(state.plant.angles)].tolist())
 
 
-def near_of(layout: Layout, essential: Mask, found: Array, group: int) -> Near:
-    """Return the record of a monitored pair, from row `group` of `found` (g, 15) and the names of the two parts.
+def near_of(layout: Layout, essential: Mask, watch: ClearanceMonitor, group: int, before: Array, period: float) -> Near:
+    """Return the record of a monitored pair.
 
-    `essential` (g,) is 1 for pairs whose contacts belong to the task.
+    Args:
+        layout: the solids and the groups.
+        essential: (g,) 1 for pairs whose contacts belong to the task.
+        watch: the monitor, which has measured the pair.
+        group: the pair.
+        before: (F, 12) poses of the frames one step before the measurement, in L.
+        period: time between them and the measurement [s].
     """
-    row = found[group].tolist()
     a, b = layout.named(group)
-    touching = row[CLEARANCE] <= CONTACT
+    touching, clearance, speed, at_a, at_b, normal, distance, of_a, of_b = measures(
+        watch.found, group, layout.pairs, layout.frame, before, watch.at, period
+    )
     return Near(
         a,
         b,
-        row[CLEARANCE],
-        row[SPEED],
-        (row[POINT_A], row[POINT_A + 1], row[POINT_A + 2]),
-        (row[POINT_B], row[POINT_B + 1], row[POINT_B + 2]),
-        _ZERO if touching else (row[NORMAL], row[NORMAL + 1], row[NORMAL + 2]),
-        0.0 if touching else row[DISTANCE],
+        clearance,
+        speed,
+        at_a,
+        at_b,
+        _ZERO if touching else normal,
+        0.0 if touching else distance,
         bool(essential[group]),
-        named(int(row[FEATURE_A])) if touching else "",
-        named(int(row[FEATURE_B])) if touching else "",
+        named(of_a) if touching else "",
+        named(of_b) if touching else "",
     )
 
 

@@ -18,7 +18,6 @@ from aftdeck.simulation.row.scalars import (
     INHIBITS,
     LEAST,
     NEAREST,
-    PERIOD,
     PRONG_AT,
     SLIDES,
     STAND,
@@ -73,8 +72,8 @@ def place(flat: Flat, angles: Array, stand: float, prong: float, true: Array, fr
 def measured(flat: Flat, within: float) -> None:
     """Measure the clearances below `within` [m] and count the contacts; write the results into the scalars."""
     now, watch = motion_of(flat), watch_of(flat)
-    v, own, period = now.scalars, monitor_of(watch), world_of(flat).constants[PERIOD]
-    every = measure_groups(pairs_of(flat), own, watch.active, watch.counts, now.before, now.frames, period, within)
+    v, own = now.scalars, monitor_of(watch)
+    every = measure_groups(pairs_of(flat), own, watch.active, watch.counts, now.frames, within)
     touching, changed, groups = False, False, len(watch.near)
     least, nearest, minimum = np.inf, -1, np.inf
     for m in range(groups if every else own.listed[groups]):

@@ -57,5 +57,5 @@ def looked_at(flat: Flat, frames: Array) -> Measured:
         here.listed.copy(), here.near.copy(), here.reviewed.copy(),
     )  # fmt: skip
     nothing = np.zeros(len(watch.active), np.uint8)
-    measure_groups(pairs_of(flat), own, watch.active, nothing, frames, frames, 1.0, STEP)
+    measure_groups(pairs_of(flat), own, watch.active, nothing, frames, STEP)
     return own

@@ -52,6 +52,6 @@ def clearances_on_way(site: Site, k: int, number: int) -> Array:
     found = np.empty((math.ceil(NEAR / STEP) + 2, len(watch.active)))
     for i in range(len(found)):
         frames[row, :3] = fit.place[:3] + i * step
-        watch.update(frames, frames, 1.0)
+        watch.update(frames)
         found[i] = watch.found[:, CLEARANCE]
     return found

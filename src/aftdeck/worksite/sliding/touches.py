@@ -43,7 +43,7 @@ def touching(
         counts: (g,) 1 for groups that consist of a sliding part and a wall.
         slides: index of the frame of the sliding part.
         placed: (n, 52) the solids in L.
-        found: (g, 15) the last measurements.
+        found: (g, 14) the last measurements.
         reach: clearance up to which a wall is considered [m].
         period: time in which a clearance may be closed [s].
         out: greatest speed at which a point inside a wall comes out [m/s].

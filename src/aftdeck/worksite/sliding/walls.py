@@ -42,7 +42,7 @@ def met(found: Array, near: Mask, counts: Mask, steering: Array, stand: float, s
     """Return the distance within which walls are considered [m]; 0 if no wall is within this distance.
 
     Args:
-        found: (g, 15) the last measurements.
+        found: (g, 14) the last measurements.
         near: (g,) 1 for groups whose clearance in `found` is finite.
         counts: (g,) 1 for groups that consist of a sliding part and a wall.
         steering: state of the steering, with the step's commanded twist.

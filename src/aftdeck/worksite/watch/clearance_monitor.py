@@ -23,7 +23,7 @@ from aftdeck.bodies.depth import greatest
 from aftdeck.bodies.hexahedron import SIDES, VERTICES
 from aftdeck.bodies.location_words import heights
 from aftdeck.bodies.pair import CONTACT, PAIR
-from aftdeck.bodies.vector import dot, minus, plus, put_vector, vector_at
+from aftdeck.bodies.vector import dot, plus, put_vector, vector_at
 from aftdeck.law import law
 from aftdeck.state_part import Cache
 from aftdeck.worksite.watch.found import (
@@ -35,7 +35,6 @@ from aftdeck.worksite.watch.found import (
     NORMAL,
     POINT_A,
     POINT_B,
-    SPEED,
     WHICH,
 )
 from aftdeck.worksite.watch.groups import POSE, SOLID, Layout, LayoutArrays, PackedLayout, layout_from
@@ -50,7 +49,6 @@ from aftdeck.worksite.watch.measured import (
     measured_of,
     place_which,
 )
-from aftdeck.worksite.watch.motion import motion, velocity
 
 ROOM = 0.25
 """How much a group's bound may exceed the limit below which it matters, and the group is listed [m] (assumed): with
@@ -64,14 +62,12 @@ def watch(
     layout: LayoutArrays,
     active: Mask,
     counts: Mask,
-    before: Array,
     now: Array,
-    period: float,
     within: float,
     own: MeasuredArrays,
 ) -> None:
     """Run `measure_groups`."""
-    measure_groups(layout_from(layout), measured_of(own), active, counts, before, now, period, within)
+    measure_groups(layout_from(layout), measured_of(own), active, counts, now, within)
 
 
 @law
@@ -80,9 +76,7 @@ def measure_groups(
     own: Measured,
     active: Mask,
     counts: Mask,
-    before: Array,
     now: Array,
-    period: float,
     within: float,
 ) -> bool:
     """Measure the active groups with clearances below `within`.
@@ -94,9 +88,7 @@ def measure_groups(
         own: arrays of the monitor; updated.
         active: (g,) 1 for groups that are measured.
         counts: (g,) 1 for groups that count: the nearest of them is measured even if it is not nearer than `within`.
-        before: (F, 12) poses of the frames one step before, in L.
         now: (F, 12) present poses of the frames, in L.
-        period: time between `before` and `now` [s].
         within: clearance up to which groups are measured [m]; inf for all groups.
 
     Returns:
@@ -109,7 +101,7 @@ def measure_groups(
     while True:
         if every:
             list_all(layout, own, active, counts)
-        least = measure_listed(layout, own, active, counts, before, now, period, within)
+        least = measure_listed(layout, own, active, counts, within)
         if every:
             shorten_list(layout, own, active, counts, max(within, least if least < np.inf else 0.0) + ROOM)
             own.beyond[2] = within
@@ -163,16 +155,7 @@ def greatest_approach(moved: Array, moved_then: Array) -> float:
 
 
 @law
-def measure_listed(
-    layout: PackedLayout,
-    own: Measured,
-    active: Mask,
-    counts: Mask,
-    before: Array,
-    now: Array,
-    period: float,
-    within: float,
-) -> float:
+def measure_listed(layout: PackedLayout, own: Measured, active: Mask, counts: Mask, within: float) -> float:
     """Measure the listed groups, as `measure_groups` does for all; return the least clearance of those that count [m].
 
     It is inf if none of them counts.
@@ -186,9 +169,9 @@ def measure_listed(
         if close:
             close = measure_group(layout, own, g, measures) < within
         if close:
-            _fill(layout, own, g, before, now, period, measures)
+            _fill(layout, own, g, measures)
         elif near[g] != 0:
-            found[g, CLEARANCE], found[g, SPEED:], near[g] = np.inf, 0.0, 0
+            found[g, CLEARANCE], found[g, POINT_A:], near[g] = np.inf, 0.0, 0
         if active[g] != 0 and counts[g] != 0:
             if near[g] != 0:
                 least = min(least, found[g, CLEARANCE])
@@ -207,7 +190,7 @@ def measure_listed(
         if clearance < least or (clearance == least and g < best):
             best, least = g, clearance
             measures[:] = other
-    _fill(layout, own, best, before, now, period, measures)
+    _fill(layout, own, best, measures)
     return least
 
 
@@ -230,25 +213,19 @@ def shorten_list(layout: PackedLayout, own: Measured, active: Mask, counts: Mask
 
 
 @law
-def _fill(
-    layout: PackedLayout, own: Measured, g: int, before: Array, now: Array, period: float, measures: Array
-) -> None:
-    """Write the latest measurements of a group's nearest pair, `measures` (17,), into the group's row (15,)."""
+def _fill(layout: PackedLayout, own: Measured, g: int, measures: Array) -> None:
+    """Write the latest measurements of a group's nearest pair, `measures` (17,), into the group's row (14,)."""
     k, row = own.likely[g], own.found[g]
     i, j = layout.pairs[k, 0], layout.pairs[k, 1]
     copy_pair(measures, row)
     own.near[g], row[WHICH] = 1, k
     if row[CLEARANCE] <= CONTACT:
         way_apart(own.placed[i], own.placed[j], row)
-    a, b = layout.frame[i], layout.frame[j]
-    va = velocity(now[a], motion(before[a], now[a], period), vector_at(row, POINT_A))
-    vb = velocity(now[b], motion(before[b], now[b], period), vector_at(row, POINT_B))
-    row[SPEED] = dot(vector_at(row, NORMAL), minus(va, vb))
 
 
 @law
 def copy_pair(pair: Array, row: Array) -> None:
-    """Copy clearance, points, plane and features of a pair from its measurements (17,) into its group's row (15,)."""
+    """Copy clearance, points, plane and features of a pair from its measurements (17,) into its group's row (14,)."""
     row[CLEARANCE] = pair[packed.CLEARANCE]
     put_vector(row, POINT_A, vector_at(pair, packed.POINT_A))
     put_vector(row, POINT_B, vector_at(pair, packed.POINT_B))
@@ -290,7 +267,7 @@ class ClearanceMonitor(Cache):
         layout: the solids and the groups.
         active: (g,) 1 for groups that are measured; the caller sets it.
         counts: (g,) 1 for groups that count in the search for the nearest group; the caller sets it.
-        found: (g, 15) the last measurements, rows as in `worksite.watch.found`.
+        found: (g, 14) the last measurements, rows as in `worksite.watch.found`.
         near: (g,) 1 for groups whose clearance in `found` is finite.
         likely: (g,) nearest pair of each group at its last measurement.
         memory: (m, 17) remembered data of each pair of solids.
@@ -342,24 +319,21 @@ class ClearanceMonitor(Cache):
         self.bound[:] = self.pair_bound[:] = self.beyond[:] = -np.inf
         self.moved[:] = self.moved_then[:] = 0.0
 
-    def update(self, before: Array, now: Array, period: float) -> None:
+    def update(self, now: Array) -> None:
         """Measure all active groups and write the results into `found`; other groups get the clearance inf in `found`.
 
-        Args:
-            before: (F, 12) poses of the frames one step before, in L; equal to `now` if there was no step before.
-            now: (F, 12) present poses of the frames, in L.
-            period: time between `before` and `now` [s].
+        `now`: (F, 12) present poses of the frames, in L.
         """
-        self.look_near(before, now, period, self.active, np.inf)
+        self.look_near(now, self.active, np.inf)
 
-    def look_near(self, before: Array, now: Array, period: float, counts: Mask, within: float) -> None:
+    def look_near(self, now: Array, counts: Mask, within: float) -> None:
         """Measure the active groups that are nearer than `within` [m]; in `found`, other groups get the clearance inf.
 
-        The nearest active group with a 1 in `counts` (g,) is measured even if it is not nearer than `within`. The other
-        arguments are those of `update`.
+        The nearest active group with a 1 in `counts` (g,) is measured even if it is not nearer than `within`. `now` as
+        for `update`.
         """
         self.least = -np.inf
-        watch(self.layout.arrays, self.active, counts, before, now, period, within, self.packed)
+        watch(self.layout.arrays, self.active, counts, now, within, self.packed)
 
     def nearest(self, counts: Mask) -> int:
         """Return the group of least clearance among groups with a 1 in `counts` (g,); -1 if none was measured."""

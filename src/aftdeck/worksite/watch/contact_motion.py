@@ -69,7 +69,7 @@ def worst_new_contact(watch: ClearanceMonitor, counts: Mask, after: Array) -> in
 def looked_at(watch: ClearanceMonitor, frames: Array) -> ClearanceMonitor:
     """Return a copy of a monitor, with the clearances below `STEP` measured for other poses (F, 12) of the frames."""
     copy = watch.copied()
-    copy.look_near(frames, frames, 1.0, np.zeros_like(watch.active), STEP)
+    copy.look_near(frames, np.zeros_like(watch.active), STEP)
     return copy
 
 

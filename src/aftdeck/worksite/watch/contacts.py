@@ -67,7 +67,7 @@ def count_frames(found: Array, near: Mask, count: Mask) -> Counted:
     """Update the number of successive steps in which each group was in contact.
 
     Args:
-        found: (g, 15) measurements of this step, rows as in `worksite.watch.found`.
+        found: (g, 14) measurements of this step, rows as in `worksite.watch.found`.
         near: (g,) 1 for groups whose clearance in `found` is finite.
         count: (g,) the number for each group, at most 2; updated.
     """
@@ -151,7 +151,7 @@ class Contacts(StatePart):
         """Count the contacts in a step's measurements; store and return the flags.
 
         Args:
-            found: (g, 15) measurements, those of a `ClearanceMonitor`.
+            found: (g, 14) measurements, those of a `ClearanceMonitor`.
             near: (g,) 1 for groups whose clearance in `found` is finite.
             prong: (g,) 1 for groups of the prong; all 0 for an arm without a prong.
             mode: the report's mode, 1 to 4.
@@ -168,7 +168,7 @@ class Contacts(StatePart):
         return tuple(self.contact(group, layout, found, units) for group in self.groups(found))
 
     def groups(self, found: Array) -> list[int]:
-        """Return the groups that are in contact, deepest first; `found` is `ClearanceMonitor.found` (g, 15)."""
+        """Return the groups that are in contact, deepest first; `found` is `ClearanceMonitor.found` (g, 14)."""
         touching: list[int] = np.flatnonzero(self.count).tolist()
         depths = found[touching, CLEARANCE].tolist()
         return [group for _, group in sorted(zip(depths, touching, strict=True))]

@@ -44,7 +44,7 @@ class Measured(NamedTuple):
             that are not listed; the same for those of them that count; clearance up to which all were measured.
         pair_bound: (m,) lower bound of the clearance of each pair of solids, as `bound` is of each group's [m].
         memory: (m, 17) remembered data of each pair of solids.
-        found: (g, 15) the last measurements, rows as in `worksite.watch.found`.
+        found: (g, 14) the last measurements, rows as in `worksite.watch.found`.
         likely: (g,) nearest pair of each group at its last measurement.
         moves: (F,) number of motions of each frame.
         placed_after: (n,) number of its frame's motions after which a solid was placed; `NEVER` before.

@@ -57,7 +57,7 @@ def near_pairs(
 
     Args:
         active: (g,) 1 for groups that are monitored.
-        found: (g, 15) measurements, rows as in `worksite.watch.found`.
+        found: (g, 14) measurements, rows as in `worksite.watch.found`.
         within: distance of a pair without motion [m].
         period: duration of a step [s].
         before: (F, 12) poses of the frames one step before, in L.
