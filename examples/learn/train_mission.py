@@ -15,11 +15,11 @@ from pathlib import Path
 import gymnasium
 import numpy as np
 import torch
+from batch_for_sb3 import BatchForSb3
 from curve import draw
 from exported import exported
 from numpy.typing import NDArray
 from stable_baselines3 import PPO
-from stable_baselines3.common.env_util import make_vec_env
 
 import aftdeck.gym  # noqa: F401  (registers the environments)
 from aftdeck.gym.mission.definition import PERIOD
@@ -27,7 +27,7 @@ from aftdeck.gym.policy import Policy
 from aftdeck.gym.policy_file import save_policy
 
 ENVIRONMENTS, STEPS = 16, 128
-"""Environments that are flown in turn, and steps of each between two updates of the policy."""
+"""Environments that make their steps together, and steps of each between two updates of the policy."""
 UPDATES = 5
 """Updates between two points of the curve."""
 LAST = 100
@@ -43,19 +43,22 @@ WANTED = 0.95
 Floats = NDArray[np.float32]
 
 
-class Scaled(gymnasium.ObservationWrapper[Floats, Floats, Floats]):
-    """Environment whose observations are divided by those of `scale`."""
-
-    def observation(self, observation: Floats) -> Floats:
-        """Return a scaled observation."""
-        return observation / scale(len(observation))
-
-
 def scale(size: int) -> Floats:
     """Return what divides an observation of this size."""
     divisor = np.ones(size, np.float32)
     divisor[:6] = NEAR
     return divisor
+
+
+def environments(name: str, plant: str, seed: int) -> BatchForSb3:
+    """Return environments with scaled observations; the first one has this seed. Without masses, they are a batch."""
+    if plant == "kinematic":
+        batch = gymnasium.make_vec(name, num_envs=ENVIRONMENTS, autoreset_mode="SameStep")
+    else:
+        each = {"vectorization_mode": "sync", "vector_kwargs": {"autoreset_mode": "SameStep"}, "plant": plant}
+        batch = gymnasium.make_vec(name, num_envs=ENVIRONMENTS, **each)
+    (size,) = batch.single_observation_space.shape
+    return BatchForSb3(batch, seed, scale(size))
 
 
 def success_rate(env: gymnasium.Env[Floats, Floats], policy: Policy, episodes: int, seed: int) -> tuple[float, float]:
@@ -91,7 +94,7 @@ def main() -> None:
     print(f"{time.perf_counter() - started:6.1f} s  the environment is compiled")
     model = PPO(
         "MlpPolicy",
-        make_vec_env(name, ENVIRONMENTS, chosen.seed, wrapper_class=Scaled, env_kwargs=keywords),
+        environments(name, chosen.plant, chosen.seed),
         n_steps=STEPS,
         batch_size=512,
         n_epochs=5,

@@ -13,11 +13,13 @@ from pathlib import Path
 import gymnasium
 import numpy as np
 import torch
+from batch_for_sb3 import BatchForSb3
 from curve import draw
 from exported import exported
-from reach_for_sb3 import ReachForSb3
+from numpy.typing import NDArray
 from stable_baselines3 import PPO
 
+import aftdeck.gym  # noqa: F401  (registers the environments)
 from aftdeck.gym.policy import Policy
 from aftdeck.gym.policy_file import save_policy
 from aftdeck.gym.reach.definition import ID as REACH
@@ -49,6 +51,12 @@ def success_rate(policy: Policy, episodes: int, seed: int) -> tuple[float, float
     return float(succeeded.mean()), 0.08 * float(steps[succeeded].mean()) if succeeded.any() else 0.0
 
 
+def environments(seed: int, std: NDArray[np.float32]) -> BatchForSb3:
+    """Return the environments, whose first one has this seed; `std` (24,) divides the observations."""
+    batch = gymnasium.make_vec(REACH, num_envs=ENVIRONMENTS, autoreset_mode="SameStep")
+    return BatchForSb3(batch, seed, std, REWARD_SCALE)
+
+
 def main() -> None:
     """Train, evaluate and write the files."""
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
@@ -62,13 +70,13 @@ def main() -> None:
     mean, std = np.zeros(24, dtype=np.float32), np.ones(24, dtype=np.float32)
     std[:6] = NEAR
     started = time.perf_counter()
-    reach = ReachForSb3(ENVIRONMENTS, chosen.seed, std, REWARD_SCALE)
+    reach = environments(chosen.seed, std)
     reach.reset()
     reach.step(np.zeros((ENVIRONMENTS, 6), dtype=np.float32))
     print(f"{time.perf_counter() - started:6.1f} s  the environment is compiled")
     model = PPO(
         "MlpPolicy",
-        ReachForSb3(ENVIRONMENTS, chosen.seed, std, REWARD_SCALE),
+        environments(chosen.seed, std),
         n_steps=STEPS,
         batch_size=2048,
         n_epochs=5,

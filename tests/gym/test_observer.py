@@ -47,7 +47,7 @@ def compare(env: MissionEnv, sim: Simulation, observer: Observer) -> None:
     frame, scenario = sim.look(), sim.scenario
     seen, scored = observer.of(sim)
     expected = np.clip(read(env, sim), observer.scale.low, observer.scale.high)
-    np.testing.assert_allclose(seen, expected, rtol=0.0, atol=2e-6)
+    np.testing.assert_array_equal(seen, expected.astype(np.float32))
     aims = Aims(scenario)
     left = aims.remaining(frame, env.task_step)
     assert scored[AIMS] == (left is not None)

@@ -21,8 +21,8 @@ from aftdeck.scenario.task_step import TaskStep
 from aftdeck.simulation.constants.site import ORBITER, site_of
 from aftdeck.tuples import UNTURNED, Vec3
 
-TO_L = 0
-"""Rotation from the orbiter's body axes to L, row by row."""
+MOUNT = 0
+"""Rotation from L to the orbiter's body axes, row by row."""
 HAND = 9
 """Rotation of the end effector's axes, in which the sticks act, from the tip's."""
 OUT = 18
@@ -60,7 +60,7 @@ def aim_of(scenario: Scenario, step: TaskStep) -> Array:
     site, target, model = site_of(scenario), step.target, scenario.arm.model
     hand = np.eye(3) if scenario.strict else rotation_x(model.end_effector_roll)
     aim = np.zeros(PLACES)
-    aim[TO_L:HAND], aim[HAND:OUT] = model.mount.rotation.T.ravel(), hand.ravel()
+    aim[MOUNT:HAND], aim[HAND:OUT] = model.mount.rotation.ravel(), hand.ravel()
     match target:
         case AtPayload(payload=k, above=above):
             aim[ABOVE:AT_BERTH] = above, site.payload_rows[k]

@@ -10,9 +10,9 @@ from typing import NamedTuple
 import numpy as np
 
 from aftdeck.arrays import Array, Flags
-from aftdeck.bodies.placed import Place, along_axes, composed, inverted, matrix_product, twist_along
-from aftdeck.bodies.pose import rows, vec3
-from aftdeck.gym.mission.aim import HAND, TO_L, Left, left
+from aftdeck.bodies.placed import Place, along_axes, matrix_product, transposed, twist_along
+from aftdeck.bodies.pose import POSE, relative, rows, vec3
+from aftdeck.gym.mission.aim import HAND, MOUNT, Left, left
 from aftdeck.gym.mission.score import ABOVE, AIMS, ANGLE, CONTACT, DISTANCE, MET
 from aftdeck.gym.terms import Floats32
 from aftdeck.kinematics.observe import CARRIED, observe_payload
@@ -38,8 +38,8 @@ from aftdeck.simulation.row.shown import (
     TAKEN,
 )
 from aftdeck.simulation.row.world import World, pairs_of, world_of
-from aftdeck.tuples import UNTURNED, Six, Vec3
 from aftdeck.tuples import Rows as Turn
+from aftdeck.tuples import Six, Vec3
 from aftdeck.units import FOOT
 from aftdeck.worksite.capture.snare import RING
 from aftdeck.worksite.watch.found import CLEARANCE
@@ -108,7 +108,7 @@ def _observe(flat: Flat, shown: Array, aim: Array, scale: Scale, observation: Fl
     tip: Place = (vec3(seen, 0), rows(seen, 3))
     payload = (vec3(now.frames[world.rows[held]], 0), rows(now.frames[world.rows[held]], 3)) if held >= 0 else tip
     to_go = left(aim, now.frames, tip, payload, held)
-    centre, axes = _in_grasp(world, now.frames, shown, seen, tip, payload)
+    centre, axes = _in_grasp(world, now.frames, shown, seen, tip)
     point, twist = _resolution(shown, tip[0], centre, six(seen, 12))
     moving, turning = _axes(shown, aim, tip[1], axes)
     velocity, rate = twist_along(twist, moving, turning)
@@ -141,21 +141,33 @@ def _along(to_go: Left, point: Vec3, moving: Turn, turning: Turn) -> tuple[Vec3,
 
 
 @law
-def _in_grasp(world: World, frames: Array, shown: Array, seen: Array, tip: Place, payload: Place) -> Place:
+def _in_grasp(world: World, frames: Array, shown: Array, seen: Array, tip: Place) -> Place:
     """Return point of resolution and axes of the payload in the grasp; without one, those of the tip.
 
     The tip is where the joint angles put it; with masses, the payload's pose in the end effector is that of the bodies.
     """
-    if shown[HELD] >= 0.0:
-        hand = frames[world.hand[0]]
-        at, turn = composed(vec3(hand, 0), rows(hand, 3), vec3(world.effector, 0), UNTURNED)
-        inside_at, inside = composed(*inverted(at, turn), *payload)
-        return composed(tip[0], tip[1], inside_at, inside)
-    if shown[ATTACHED] == 0.0:
+    held, carried, packed = int(shown[HELD]), np.empty(CARRIED), np.zeros(TAKEN - PACKED)
+    if held < 0 and shown[ATTACHED] == 0.0:
         return tip
-    carried = np.empty(CARRIED)
-    observe_payload(seen, shown[PACKED:TAKEN], carried)
+    if held < 0:
+        packed[:] = shown[PACKED:TAKEN]
+    else:
+        _pack(world, frames[world.hand[0]], frames[world.rows[held]], packed)
+    observe_payload(seen, packed, carried)
     return vec3(carried, 12), rows(carried, 3)
+
+
+@law
+def _pack(world: World, hand: Array, payload: Array, packed: Array) -> None:
+    """Write a payload in the grasp as `HeldPayload.packed` has it, from the poses (12,) of last joint and payload."""
+    tip, grasp, inside = np.zeros(POSE), np.empty(POSE), np.empty(POSE)
+    tip[3] = tip[7] = tip[11] = 1.0
+    tip[:3] = world.effector[:3]
+    relative(hand, payload, grasp)
+    relative(tip, grasp, inside)
+    packed[:9] = inside[3:]
+    for i in range(3):
+        packed[9 + i] = inside[3 + i] * inside[0] + inside[6 + i] * inside[1] + inside[9 + i] * inside[2]
 
 
 @law
@@ -171,13 +183,15 @@ def _resolution(shown: Array, tip: Vec3, centre: Vec3, twist: Six) -> tuple[Vec3
 @law
 def _axes(shown: Array, aim: Array, tip: Turn, payload: Turn) -> tuple[Turn, Turn]:
     """Return the axes of the THC and of the RHC, in columns, in L (`scene.stick_axes`)."""
+    mount = rows(aim, MOUNT)
+    to_l = transposed(mount)
     if shown[AXES] == EFFECTOR:
-        axes = matrix_product(tip, rows(aim, HAND))
+        axes = matrix_product(to_l, matrix_product(mount, matrix_product(tip, rows(aim, HAND))))
         return axes, axes
     if shown[AXES] == PAYLOAD:
-        return payload, payload
-    orbiter = rows(aim, TO_L)
-    return orbiter, payload if shown[AXES] == MIXED else orbiter
+        axes = matrix_product(to_l, matrix_product(mount, payload))
+        return axes, axes
+    return to_l, payload if shown[AXES] == MIXED else to_l
 
 
 @law

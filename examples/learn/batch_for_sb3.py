@@ -1,55 +1,58 @@
-"""Adapter: the compiled batch of Reach environments as a vector environment of Stable-Baselines3."""
+"""Adapter: a batch of environments as a vector environment of Stable-Baselines3."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
 from typing import Any
 
-import gymnasium
 import numpy as np
+from gymnasium.vector import VectorEnv
 from numpy.typing import NDArray
 from stable_baselines3.common.vec_env import VecEnv
-
-import aftdeck.gym  # noqa: F401  (registers the environments)
 
 Floats = NDArray[np.float32]
 
 
-class ReachForSb3(VecEnv):
-    """Batch of Reach environments that resets each environment in the step that ends its episode.
+class BatchForSb3(VecEnv):
+    """Environments of Gymnasium's vector environment, which resets each in the step that ends its episode.
 
     Args:
-        count: number of environments.
+        batch: the vector environment, with the autoreset mode ``SameStep``.
         seed: seed of the first environment; the others have the next seeds.
-        std: (24,) divides the observations.
+        std: (m,) divides the observations.
         reward_scale: factor of all rewards.
     """
 
-    def __init__(self, count: int, seed: int, std: Floats, reward_scale: float) -> None:
-        self._reach = gymnasium.make_vec("aftdeck/Reach-v0", num_envs=count, autoreset_mode="SameStep")
+    def __init__(
+        self, batch: VectorEnv[Floats, Floats, Any], seed: int, std: Floats, reward_scale: float = 1.0
+    ) -> None:
+        self._batch = batch
         self._first_seed: int | None = seed
         self._std, self._reward_scale = std, reward_scale
-        self._actions = np.zeros((count, 6), dtype=np.float32)
-        super().__init__(count, self._reach.single_observation_space, self._reach.single_action_space)
+        self._actions = np.zeros((0, 0), dtype=np.float32)
+        super().__init__(batch.num_envs, batch.single_observation_space, batch.single_action_space)
 
     def reset(self) -> Floats:
-        """Begin an episode in all environments; return the observations (count, 24)."""
-        observations, _ = self._reach.reset(seed=self._first_seed)
+        """Begin an episode in all environments; return the observations (count, m)."""
+        observations, _ = self._batch.reset(seed=self._first_seed)
         self._first_seed = None
         return observations / self._std
 
     def step_async(self, actions: Floats) -> None:
-        """Store the actions (count, 6) for `step_wait`."""
+        """Store the actions (count, controls) for `step_wait`."""
         self._actions = actions
 
     def step_wait(self) -> tuple[Floats, Floats, NDArray[np.bool_], list[dict[str, Any]]]:
-        """Make one step; return observations, rewards, ended episodes, and for each of these its last observation."""
-        observations, rewards, terminated, truncated, infos = self._reach.step(self._actions)
+        """Make one step; return observations, rewards, ended episodes, and for each of these how it ended."""
+        observations, rewards, terminated, truncated, infos = self._batch.step(self._actions)
         ended = terminated | truncated
         each: list[dict[str, Any]] = [{} for _ in range(self.num_envs)]
         for i in np.flatnonzero(ended):
-            last = infos["final_obs"][i] / self._std
-            each[i] = {"terminal_observation": last, "TimeLimit.truncated": not terminated[i]}
+            each[i] = {
+                "terminal_observation": infos["final_obs"][i] / self._std,
+                "TimeLimit.truncated": not terminated[i],
+                "is_success": bool(infos["final_info"]["is_success"][i]),
+            }
         return observations / self._std, (self._reward_scale * rewards).astype(np.float32), ended, each
 
     def close(self) -> None:
@@ -57,7 +60,7 @@ class ReachForSb3(VecEnv):
 
     def get_attr(self, attr_name: str, indices: Any = None) -> list[Any]:
         """Return an attribute once for each environment; the environments share all attributes."""
-        return [getattr(self._reach, attr_name, None)] * len(list(self._get_indices(indices)))
+        return [getattr(self._batch, attr_name, None)] * len(list(self._get_indices(indices)))
 
     def set_attr(self, attr_name: str, value: Any, indices: Any = None) -> None:
         """Raise an error: single environments of the batch have no attributes of their own."""
