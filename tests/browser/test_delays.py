@@ -132,9 +132,13 @@ def test_log_and_mode_have_the_telemetry_delay(page: Flight) -> None:
     }""")
     page.enter("END EFF")
     page.until("window.logged")
-    entered, logged = page.script("[window.arrived.find(({ mode }) => mode === 'END EFF').time_s, window.logged]")
-    # a line comes just before the frame of its step
-    assert TELEMETRY_S - PERIOD_S - 1e-9 <= logged - entered <= TELEMETRY_S + SOON_S
+    before, entered, logged = page.script("""(() => {
+        const first = window.arrived.findIndex(({ mode }) => mode === 'END EFF');
+        return [window.arrived[first - 1].time_s, window.arrived[first].time_s, window.logged];
+    })()""")
+    # a line comes just before the frame of its step; a page on a busy machine does not get every frame
+    assert logged - before >= TELEMETRY_S - 1e-9
+    assert logged - entered <= TELEMETRY_S + SOON_S
 
 
 def test_monitor_window_has_the_camera_delay(browser: Browser, station: str) -> None:

@@ -44,7 +44,6 @@ from aftdeck.simulation.step import step
 from aftdeck.state_part import digest
 from aftdeck.steering.limiters import rate_ratio
 from aftdeck.steering.mode import AUTOMATIC_LAWS
-from aftdeck.worksite.capture.snare import Snare
 from aftdeck.worksite.watch.contact_motion import worst_new_contact
 from aftdeck.worksite.watch.contacts import two_frames
 
@@ -75,7 +74,7 @@ def warm_up(scenario: Scenario) -> None:
     way_out_of_contact(flight, state)
     worst_new_contact(state.worksite.watch, flight.site.detrimental, state.worksite.frames)
     if flight.site.capture is not None:
-        closing = replace(state.worksite.controls(), snare=Snare(motion="capture"))
+        closing = replace(state.worksite.controls(pressed=True), switch="close")
         worksite, units = state.worksite, arm.model.units
         flight.site.capture.step(
             closing, None, worksite.frames, worksite.watch.place, flight.scenario.control_period, units

@@ -45,7 +45,7 @@ class MissionBatch:
         self._randoms = [np.random.default_rng()] * count
         self._sinces: list[Since | None] = [None] * count
         size = task.observer.space.shape
-        self._arrays, self._one = AlignedFloats(count, *size), AlignedFloats(*size)
+        self._arrays = AlignedFloats(count, *size)
         self._seen = np.zeros((count, *size), np.float32)
         self._shown = np.zeros((count, len(shown_of(*self._batch.simulations[0].parts))))
         self._scored, self._before = np.zeros((count, SCORED)), np.zeros((count, SCORED))
@@ -79,9 +79,8 @@ class MissionBatch:
         skipped = self._ended.copy() if autoreset == NEXT_STEP else np.zeros(self._count, np.bool_)
         self._move(given, skipped)
         self._before[:] = self._scored
+        task, batch, observed = self._task, self._batch, ~skipped
         rewards, done = np.zeros(self._count), np.zeros(self._count, np.bool_)
-        observed = ~skipped
-        task, batch = self._task, self._batch
         observe_all(
             batch.constants, batch.rows, self._shown, task.observer.aim, task.observer.arrays, observed, self._seen,
             self._scored,
