@@ -23,7 +23,7 @@ from aftdeck.simulation.payloads.met import share_met
 from aftdeck.simulation.period.many import Constants, Rows, row_of
 from aftdeck.simulation.row.aligning import aligning_of
 from aftdeck.simulation.row.now import Arrays, Flat, Motion, Watch, lent, monitor_of, motion_of, watch_of
-from aftdeck.simulation.row.scalars import ARM, NEAREST, PRONG_AT, PRONG_HIGH, PRONG_LOW, TOUCHING
+from aftdeck.simulation.row.scalars import ARM, NEAREST, PRONG_AT, PRONG_HIGH, PRONG_LOW
 from aftdeck.simulation.row.shown import (
     ATTACHED,
     AXES,
@@ -31,6 +31,7 @@ from aftdeck.simulation.row.shown import (
     EFFECTOR,
     HELD,
     LOADED,
+    LOGGED,
     MIXED,
     PACKED,
     PAYLOAD,
@@ -128,7 +129,7 @@ def _observe(flat: Flat, shown: Array, aim: Array, scale: Scale, observation: Fl
     for i in range(len(values)):
         observation[i] = min(max((values[i] - scale.zero[i]) / scale.one[i], scale.low[i]), scale.high[i])
     scored[AIMS], scored[DISTANCE], scored[ANGLE], scored[ABOVE] = to_go.known, to_go.distance, to_go.angle, to_go.above
-    scored[MET], scored[CONTACT] = met, _detrimental(now.scalars[TOUCHING] != 0.0, watch)
+    scored[MET], scored[CONTACT] = met, _detrimental(shown[LOGGED] != 0.0, watch)
 
 
 @law
@@ -212,10 +213,10 @@ def _opening(world: World, now: Motion) -> float:
 
 
 @law
-def _detrimental(touching: bool, watch: Watch) -> bool:
-    """Return whether a contact exists that does not belong to the task; `touching`: whether any contact exists."""
+def _detrimental(logged: bool, watch: Watch) -> bool:
+    """Return whether a contact exists that does not belong to the task; `logged`: whether any is in the log."""
     found = False
-    if touching:
+    if logged:
         for g in range(len(watch.frames_touching)):
             found = found or (watch.frames_touching[g] != 0 and watch.essential[g] == 0)
     return found

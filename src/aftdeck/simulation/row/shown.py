@@ -37,9 +37,11 @@ RELEASED = 6
 """Number of the berth that has just released this payload, numbered as in `World.berths`; -1 for none."""
 ATTACHED = 7
 """1 if the scenario's own payload is attached to the end effector."""
-PACKED = 8
+LOGGED = 8
+"""1 if a contact is in the log that has not ended: one of two parts that are still monitored."""
+PACKED = 9
 """`HeldPayload.packed` of that payload (15)."""
-TAKEN = 23
+TAKEN = 24
 """First of the marks of all berths: 1 if another payload is fixed there."""
 
 
@@ -62,6 +64,7 @@ def shown_of(flight: Flight, state: State) -> Array:
         worksite.arm_fixed,
         -1 if held is None else flight.site.number(held, worksite.payloads[held].released_from),
         own is not None,
+        bool(worksite.logged_contacts),
     )
     if own is not None:
         shown[PACKED:TAKEN] = own.packed
