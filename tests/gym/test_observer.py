@@ -102,3 +102,15 @@ def test_observation_is_that_of_the_readings_until_the_task_is_done(kind: type[M
     assert success
     compare(env, env.simulation, env._observer)
     assert seen[-1] == pytest.approx(env._observer.of(env.simulation)[0])
+
+
+def test_contact_that_ended_with_the_capture_does_not_count() -> None:
+    """Parts of a captured payload and the end effector may still overlap; they are no longer monitored."""
+    env = CaptureEnv()
+    assert flown(env, 3)[2]
+    worksite = env.simulation.parts[1].worksite
+    group = int(np.flatnonzero((worksite.watch.active == 0) & (worksite.contacts.essential == 0))[0])
+    worksite.contacts.count[group] = 1
+    assert worksite.logged_contacts == ()
+    assert env.simulation.look().work.contacts == ()
+    assert env._observer.of(env.simulation)[1][CONTACT] == 0.0
