@@ -9,6 +9,7 @@ from __future__ import annotations
 import shutil
 import subprocess
 import sys
+import time
 from pathlib import Path
 from typing import NamedTuple
 
@@ -28,14 +29,15 @@ NAMES = ("Capture", "Extract", "Dock")
 
 
 class Size(NamedTuple):
-    """Steps in a round, number of rounds (the shortest counts), and whether the peers are measured."""
+    """Steps in a round, rounds (the shortest counts), environments of a batch, and whether the peers are measured."""
 
     steps: int
     rounds: int
+    batch: int
     peers: bool
 
 
-FULL, TINY = Size(400, 12, True), Size(5, 2, False)
+FULL, TINY = Size(400, 12, 64, True), Size(5, 2, 3, False)
 
 
 def missions(size: Size) -> list[Figure]:
@@ -46,11 +48,29 @@ def missions(size: Size) -> list[Figure]:
         env.action_space.seed(0)
         seconds = seconds_a_step(env, size.steps, size.rounds)
         found.append(Figure(f"{name}, an environment step", 1e6 * seconds, "us", None, _note(seconds)))
+        seconds = _seconds_in_a_batch(name, size)
+        note = f"{1.0 / seconds:,.0f} steps/s on one core: {size.batch} environments, the same, episodes included"
+        found.append(Figure(f"{name} in a batch, an environment step", 1e6 * seconds, "us", None, note))
     return found + [figure for argument in PACKAGES for figure in _peers(argument, size)]
 
 
 def _note(seconds: float) -> str:
-    return f"{1.0 / seconds:,.0f} steps/s on one core: five control periods, frame, observation, reward"
+    return f"{1.0 / seconds:,.0f} steps/s on one core: five control periods, observation, reward"
+
+
+def _seconds_in_a_batch(name: str, size: Size) -> float:
+    """Return the shortest time of a step of one of the environments in a batch, with random sticks [s]."""
+    batch = gymnasium.make_vec(f"aftdeck/{name}-v0", num_envs=size.batch)
+    batch.action_space.seed(0)
+    batch.reset(seed=0)
+    rounds = []
+    for _ in range(size.rounds):
+        actions = [batch.action_space.sample() for _ in range(size.steps // 8 + 1)]
+        begun = time.perf_counter()
+        for action in actions:
+            batch.step(action)
+        rounds.append((time.perf_counter() - begun) / (len(actions) * size.batch))
+    return min(rounds)
 
 
 def _peers(argument: str, size: Size) -> list[Figure]:
