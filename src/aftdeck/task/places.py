@@ -12,6 +12,9 @@ from aftdeck.simulation.frame import Frame, Placed
 from aftdeck.tuples import Vec3
 from aftdeck.worksite.berths.berth import Berth
 
+_MOST_KEPT = 100
+"""Greatest number of poses at targets that are kept."""
+
 
 class Places:
     """Poses in L of the things of one scenario, computed from frames.
@@ -115,6 +118,8 @@ class Places:
     def capture(self, frame: Frame, target: AtPayload) -> Placed:
         """Return the pose of the tip at a target over a payload."""
         if target not in self._captures:
+            if len(self._captures) >= _MOST_KEPT:  # targets of random starts
+                self._captures.clear()
             place = at_payload(self._model, self._payloads[target.payload], target)
             self._captures[target] = Placed(*place_of(place))
         return Placed(*composed(*self.payload(frame, target.payload), *self._captures[target]))
@@ -123,6 +128,8 @@ class Places:
         """Return the pose of payload k at a target in a berth."""
         berth, fixed = self.berths[target.berth], (target, k)
         if fixed not in self._seats:
+            if len(self._seats) >= _MOST_KEPT:
+                self._seats.clear()
             seat = Placed(*place_of(at_berth(berth, self._payloads[k], target)))
             self._seats[fixed] = Placed(*composed(*self._scene, *seat)) if berth.frame == "orbiter" else seat
         seat = self._seats[fixed]

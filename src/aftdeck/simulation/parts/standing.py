@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+from functools import lru_cache
+
+from aftdeck.arms.load import ArmModel
 from aftdeck.kinematics.arm import Arm
 from aftdeck.kinematics.linkage import L1
 from aftdeck.state_part import Cache
@@ -21,7 +24,7 @@ class Standing(Cache):
     def at(self, height: float) -> Arm:
         """Return the arm with its shoulder at this height [m]."""
         if self._at != height:
-            self._arm, self._at = Arm(self._arm.model.standing(height)), height
+            self._arm, self._at = _standing(self._arm.model, height), height
         return self._arm
 
     def copied(self) -> Standing:
@@ -29,3 +32,9 @@ class Standing(Cache):
         copy = Standing(self._arm)
         copy.height = self.height
         return copy
+
+
+@lru_cache(maxsize=8)
+def _standing(model: ArmModel, height: float) -> Arm:
+    """Return an arm with its shoulder at this height [m]: the same for each episode of an environment."""
+    return Arm(model.standing(height))
