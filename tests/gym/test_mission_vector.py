@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+import copy
+import pickle
+from pathlib import Path
 from typing import Any
 
 import gymnasium
@@ -9,10 +12,14 @@ import numpy as np
 import pytest
 from gymnasium.vector import AutoresetMode, SyncVectorEnv
 
+import aftdeck
 from aftdeck.errors import InputError
 from aftdeck.gym.mission.env import CaptureEnv, DockEnv, ExtractEnv, MissionEnv
+from aftdeck.gym.mission.starts import Starts
 from aftdeck.gym.mission.vector import CaptureVectorEnv, DockVectorEnv, ExtractVectorEnv, MissionVectorEnv
+from aftdeck.gym.policy_file import load_policy
 from aftdeck.gym.terms import Floats32
+from aftdeck.simulation.batch import Batch
 from tests.each import number
 from tests.gym.test_missions import careful
 from tests.gym.test_reach_vector import compare
@@ -24,6 +31,7 @@ KINDS: list[tuple[type[MissionEnv], type[MissionVectorEnv], str]] = [
     (DockEnv, DockVectorEnv, "concept-1972"),
     (DockEnv, DockVectorEnv, "free-flyer"),
 ]
+LEARN = Path(__file__).parents[2] / "examples" / "learn"
 MODES = (AutoresetMode.NEXT_STEP, AutoresetMode.SAME_STEP, AutoresetMode.DISABLED)
 
 
@@ -102,17 +110,97 @@ def test_environment_of_a_batch_does_not_depend_on_the_others() -> None:
         assert (got[0][17] == expected[0][0]).all() and got[1][17] == expected[1][0]
 
 
-@pytest.mark.parametrize("setting", ['command_delay = "0.3 s"', 'command_delay = "0 s"'])
-def test_batch_of_an_own_scenario_equals_single_environments(tmp_path: Any, setting: str) -> None:
+def test_batch_of_a_scenario_with_a_command_delay_equals_single_environments(tmp_path: Path) -> None:
     file = tmp_path / "own.toml"
-    text = next(iter(DockEnv().simulation.scenario.text for _ in range(1)))
-    file.write_text(f"{setting}\n{text}", encoding="utf-8")
+    file.write_text(f'command_delay = "0.3 s"\n{aftdeck.load_scenario("concept-1972").text}', encoding="utf-8")
     ours, env = DockVectorEnv(1, scenario=file), DockEnv(file)
     assert (ours.reset(seed=1)[0][0] == env.reset(seed=1)[0]).all()
     rng = np.random.default_rng(2)
     for _ in range(60):
         action = rng.uniform(-1.0, 1.0, 7).astype(np.float32)
         assert (ours.step(action[None])[0][0] == env.step(action)[0]).all()
+
+
+def test_scenario_that_plans_changes_in_flight_is_rejected_with_the_way_to_fly_it(tmp_path: Path) -> None:
+    file, change = tmp_path / "own.toml", '[[event]]\nat = "1 s"\nset = { "clearance.warning" = "0.02 m" }\n'
+    file.write_text(f"{aftdeck.load_scenario('concept-1972').text}\n{change}", encoding="utf-8")
+    DockEnv(file).reset(seed=0)
+    with pytest.raises(InputError, match=r"plans changes in flight .*, which no batch can make; use make_vec"):
+        DockVectorEnv(2, scenario=file)
+
+
+def test_captures_and_their_next_episodes_equal_those_of_single_environments() -> None:
+    """The snares close in 2.5 s, which no short episode reaches."""
+    count, done = 3, 0
+    ours = CaptureVectorEnv(count, 150, AutoresetMode.SAME_STEP)
+    theirs = SyncVectorEnv(
+        [lambda: gymnasium.wrappers.TimeLimit(CaptureEnv(), 150)] * count, autoreset_mode=AutoresetMode.SAME_STEP
+    )
+    policy = load_policy(LEARN / "capture_ppo.npz")
+    rows = ours.reset(seed=3)[0]
+    assert (rows == theirs.reset(seed=3)[0]).all()
+    rng = np.random.default_rng(0)
+    for _ in range(220):
+        actions = policy.act(rows)
+        actions[1] = np.clip(actions[1] + 0.3 * rng.standard_normal(8), -1.0, 1.0)
+        got = ours.step(actions)
+        compare(got, theirs.step(actions))
+        rows, done = got[0], done + int(got[2].sum())
+    assert done >= 3
+
+
+@pytest.mark.parametrize("kind", [CaptureVectorEnv, DockVectorEnv])
+def test_copy_of_a_batch_goes_its_own_way(kind: type[MissionVectorEnv]) -> None:
+    env, rng = kind(2), np.random.default_rng(0)
+    env.reset(seed=4)
+    shape = env.action_space.shape
+    assert shape is not None
+    for _ in range(15):
+        env.step(rng.uniform(-1.0, 1.0, shape).astype(np.float32))
+    twin = pickle.loads(pickle.dumps(copy.deepcopy(env)))
+    for _ in range(30):
+        actions = rng.uniform(-1.0, 1.0, shape).astype(np.float32)
+        compare(env.step(actions), twin.step(actions))
+
+
+def test_payload_that_is_released_in_its_own_axes_is_steered_on_as_alone() -> None:
+    """The release selects ORB UNL, with another law."""
+    alone = aftdeck.Simulation("concept-1972", digests=False)
+    alone.restart(next(start for start in alone.scenario.parts.values() if start.grasped is not None))
+    saved = aftdeck.Simulation("concept-1972", digests=False)
+    saved.restore(alone.save())
+    batch = Batch(saved, 1)
+    for sim in (alone, saved):
+        sim.advance(aftdeck.Inputs(mode="PL"))
+    batch.place(0)
+    none = np.zeros(1, np.bool_)
+    for step in range(30):
+        inputs = aftdeck.Inputs(translation=(0.0, 0.0, -0.1), effector="open" if step < 20 else None)
+        alone.hold(inputs, 10)
+        switch = np.array([-1.0 if step < 20 else 0.0])
+        sticks = np.array([[0.0, 0.0, 0.0, 0.0, 0.0, -0.1]])
+        batch.hold(sticks, batch.rates.copy(), switch, 10, none, lambda _, given=inputs: given)  # type: ignore[misc]
+        batch.catch_up(0)
+        assert saved.seal() == alone.seal()
+    assert alone.look().mode == "ORB UNL"
+
+
+def test_environments_without_a_start_have_to_be_reset(monkeypatch: pytest.MonkeyPatch) -> None:
+    env = DockVectorEnv(2, 1)
+    monkeypatch.setattr(Starts, "draw", lambda *_: None)
+    for _ in range(2):
+        with pytest.raises(InputError, match="has no start without a contact"):
+            env.reset(seed=0)
+        with pytest.raises(InputError, match="before the first reset"):
+            env.step(np.zeros((2, 7), np.float32))
+    monkeypatch.undo()
+    env.reset(seed=0)
+    env.step(np.zeros((2, 7), np.float32))
+    monkeypatch.setattr(Starts, "draw", lambda *_: None)
+    with pytest.raises(InputError, match="has no start without a contact"):
+        env.step(np.zeros((2, 7), np.float32))
+    with pytest.raises(InputError, match="before the first reset"):
+        env.step(np.zeros((2, 7), np.float32))
 
 
 def test_impossible_action_of_one_environment_is_rejected_and_moves_none() -> None:

@@ -14,7 +14,7 @@ from gymnasium.vector.utils import batch_space
 from aftdeck.arrays import Array, Flags
 from aftdeck.errors import InputError
 from aftdeck.gym.actions import clipped
-from aftdeck.gym.batch_step import DISABLED, NEXT_STEP, SAME_STEP, EnvBatch, Step
+from aftdeck.gym.batch_step import DISABLED, NEXT_STEP, SAME_STEP, EnvBatch, NoStartError, Step
 from aftdeck.gym.choices import PLANTS, no_options, one_of, rendered, whole
 from aftdeck.gym.terms import Floats32
 from aftdeck.units import short
@@ -84,13 +84,15 @@ class BatchEnv(VectorEnv[Floats32, Floats32, Array]):
 
         Raises:
             InputError: an argument is not allowed.
+            NoStartError: an episode cannot begin; then reset all environments.
         """
         no_options(options, ("reset_mask",))
         chosen = self._mask((options or {}).get("reset_mask"))
         self._batch.seed([key if mask else None for key, mask in zip(self._keys(seed), chosen.tolist(), strict=True)])
+        self._begun = False  # if there is no start, all have to be reset
+        observations = self._batch.begin(chosen)
         self._begun = True
         self._ended[chosen] = False
-        observations = self._batch.begin(chosen)
         return observations, {"is_success": np.zeros(self.num_envs, dtype=np.bool_), "_is_success": chosen.copy()}
 
     def step(self, actions: Floats32) -> tuple[Floats32, Array, Flags, Flags, dict[str, Any]]:  # type: ignore[override]
@@ -105,6 +107,7 @@ class BatchEnv(VectorEnv[Floats32, Floats32, Array]):
         Raises:
             InputError: the environments have not been reset, a control is outside [-1, 1], or with DISABLED an episode
                 has ended. No environment has then moved.
+            NoStartError: an episode cannot begin; then reset all environments.
         """
         if not self._begun:
             raise InputError("step: got a call before the first reset, expected reset() first")
@@ -114,7 +117,11 @@ class BatchEnv(VectorEnv[Floats32, Floats32, Array]):
                 f"step: the episodes of environments {ended} have ended; reset them first, with "
                 "options={'reset_mask': mask}"
             )
-        done = self._batch.step(clipped(actions) if self._clips else actions, self._mode)
+        try:
+            done = self._batch.step(clipped(actions) if self._clips else actions, self._mode)
+        except NoStartError:
+            self._begun = False
+            raise
         everywhere = np.ones(self.num_envs, dtype=np.bool_)
         infos: dict[str, Any] = {"is_success": done.reached, "_is_success": everywhere}
         if done.ended:

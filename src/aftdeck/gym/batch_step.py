@@ -5,12 +5,17 @@ from __future__ import annotations
 from typing import NamedTuple, Protocol
 
 from aftdeck.arrays import Array, Flags
+from aftdeck.errors import InputError
 from aftdeck.gym.terms import Floats32
 
 NEXT_STEP, SAME_STEP, DISABLED = 0, 1, 2
 """When an environment whose episode has ended is reset: in the next step, at once, or by the caller."""
 UNLIMITED = 2**53
 """Number of steps that no episode reaches."""
+
+
+class NoStartError(InputError):
+    """No random start of an episode is possible. The environments have to be reset."""
 
 
 class Step(NamedTuple):
@@ -53,4 +58,5 @@ class EnvBatch(Protocol):
 
         Raises:
             InputError: the actions have another shape, or a control is outside [-1, 1]; nothing has changed.
+            NoStartError: an episode cannot begin.
         """

@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from typing import Any
 
 import numpy as np
 
 from aftdeck.arrays import Array, Flags, Indices
+from aftdeck.errors import InputError
 from aftdeck.simulation.constants.flight import Flight
 from aftdeck.simulation.inputs import Inputs
 from aftdeck.simulation.parts.worksite_state import DRIVES, Switch
@@ -42,19 +44,43 @@ class Batch:
         switches: (n,) position of the end effector's switch: 1 close, 0 stop, -1 open.
 
     Raises:
-        InputError: the plant has masses.
+        InputError: the plant has masses, or the scenario plans changes in flight, which would change the constants.
     """
 
     def __init__(self, first: Simulation, count: int) -> None:
+        if first.scenario.changes_at:
+            raise InputError(
+                f"scenario: {first.scenario.name!r} plans changes in flight ([[event]]), which no batch can make; use "
+                "make_vec(..., vectorization_mode='async') or 'sync'"
+            )
+        if first.scenario.plant != "kinematic":
+            raise InputError(f"plant: got {first.scenario.plant!r}, expected 'kinematic'")
         self.simulations = [first, *(first.twin() for _ in range(count - 1))]
         state = first.parts[1]
         self.rows = new_arrays(state.row.tables, count)
         self.rates, self._behind, self._made, self._reached = (np.zeros(count, np.int64) for _ in range(4))
         self._own: list[Row | None] = [None] * count
         self._going, self._sticks = np.zeros(count, np.uint8), np.zeros((count, STICKS))
-        self.switches, self._pressed = np.zeros(count), np.zeros(count)
+        self.switches, self._pressed, self._orders = np.zeros(count), np.zeros(count), np.zeros((count, 2))
         self._rules = np.zeros((count, len(SETTINGS), len(state.rules)))
         self._links = np.zeros((count, len(state.arm.model.links)))
+
+    def __getstate__(self) -> dict[str, object]:
+        """Return the fields for `copy` and `pickle`: the rows are left out, and the states are saved."""
+        for i in range(len(self.simulations)):
+            self.catch_up(i)
+        fields = {name: value for name, value in vars(self).items() if name not in ("simulations", "rows", "_own")}
+        return fields | {"_first": self.simulations[0], "_saved": [sim.save() for sim in self.simulations]}
+
+    def __setstate__(self, fields: dict[str, Any]) -> None:
+        """Set the fields from those of another batch, and make rows with its states."""
+        first, saved = fields.pop("_first"), fields.pop("_saved")
+        vars(self).update(fields)
+        self.simulations = [first, *(first.twin() for _ in saved[1:])]
+        self.rows, self._own = new_arrays(first.parts[1].row.tables, len(saved)), [None] * len(saved)
+        for i, (sim, state) in enumerate(zip(self.simulations, saved, strict=True)):
+            sim.restore(state)
+            self.place(i)
 
     @property
     def constants(self) -> Constants:
@@ -105,8 +131,8 @@ class Batch:
         np.copyto(self.switches, switches, where=going & (switches != 0.0))
         while (moving := (self._going != 0) & (left > 0)).any():
             advance_all(
-                self.constants, self.rows, self._rules, self.rates, self._links, self._sticks, self._pressed,
-                moving, left, self._made, self._reached,
+                self.constants, self.rows, self._rules, self.rates, self._links, self._orders, self._sticks,
+                self._pressed, moving, left, self._made, self._reached,
             )  # fmt: skip
             self._behind += self._made
             left -= self._made
@@ -150,7 +176,7 @@ class Batch:
         if self._going[i]:
             for rules, rate in zip(self._rules[i], SETTINGS, strict=True):
                 rules[:] = state.carried.rules[panel.mode, rate, panel.flown]
-            self._links[i] = state.arm.model.links
+            self._links[i], self._orders[i] = state.arm.model.links, (panel.flown, panel.joint)
 
 
 def takes_sticks(flight: Flight, state: State) -> bool:
@@ -159,6 +185,6 @@ def takes_sticks(flight: Flight, state: State) -> bool:
     return (
         MODES[panel.mode].kind == "manual"
         and panel.rate_hold_sticks is None
-        and not (state.by_script or state.script.attached or state.delayed_inputs or flight.scenario.changes_at)
+        and not (state.by_script or state.script.attached or state.delayed_inputs)
         and make_row_current(flight, state)
     )

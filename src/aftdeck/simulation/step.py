@@ -81,7 +81,7 @@ def take_over(flight: Flight, state: State, inputs: Inputs, made: int, reached: 
 
     Args:
         flight: constants of the run.
-        state: changed in place; `state.row.goes_on` was True before these periods.
+        state: changed in place; its row was current before these periods (`make_row_current`).
         inputs: inputs of the last period.
         made: number of the periods, 1 or more.
         reached: how far compiled code has made the last one (`period.period.advance`).

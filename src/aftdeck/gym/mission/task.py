@@ -9,8 +9,9 @@ import numpy as np
 
 from aftdeck.arrays import Array
 from aftdeck.bodies.pose import rows, vec3
-from aftdeck.errors import InputError, ScenarioError
+from aftdeck.errors import ScenarioError
 from aftdeck.files import Where
+from aftdeck.gym.batch_step import NoStartError
 from aftdeck.gym.choices import PLANTS, one_of
 from aftdeck.gym.mission.actions import repeats_of
 from aftdeck.gym.mission.definition import Mission
@@ -77,7 +78,7 @@ class MissionTask:
             The start, what has to be remembered of it, the observation, and what its score needs.
 
         Raises:
-            InputError: no random start is free of contacts.
+            NoStartError: no random start is free of contacts.
         """
         for _ in range(_TRIES):
             start = self._starts.draw(random)
@@ -92,7 +93,7 @@ class MissionTask:
             if scored[CONTACT] == 0.0:
                 seen = sim.parts[1].observed
                 return start, Since(vec3(seen, 0), rows(seen, 3)), observation, scored
-        raise InputError(
+        raise NoStartError(
             f"scenario: {self.scenario.name!r} has no start without a contact in {_TRIES} random starts near the "
             f"place of step {self.step.title!r}"
         )

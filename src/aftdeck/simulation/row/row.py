@@ -126,6 +126,7 @@ class Row:
             self._parts[name][...] = 0
         self.limits.advice[:] = -1
         self.floats = self.limited = False
+        self.values = self.scalars.tolist()
         for name in REMEMBERED:
             setattr(state.worksite.watch, name, self._parts[_RENAMED.get(name, name)])
         self.take(state)

@@ -1,6 +1,7 @@
 """Values of panel, end effector and berths that compiled code needs to observe a task, and that are not in the row.
 
-They change only in steps that Python code completes. An array has them in this order, then a mark for each berth.
+They change only in steps that Python code completes, but for `COARSE` and `SWITCH`: in a batch, its caller sets these
+two. An array has them in this order, then a mark for each berth.
 """
 
 from __future__ import annotations
@@ -40,7 +41,7 @@ ATTACHED = 7
 LOGGED = 8
 """1 if a contact is in the log that has not ended: one of two parts that are still monitored."""
 PACKED = 9
-"""`HeldPayload.packed` of that payload (15)."""
+"""`HeldPayload.packed` of the attached payload (15)."""
 TAKEN = 24
 """First of the marks of all berths: 1 if another payload is fixed there."""
 
