@@ -9,6 +9,8 @@ from pathlib import Path
 import aftdeck.simulation.fly
 import aftdeck.simulation.step
 
+NESTED = {"go": aftdeck.simulation.fly, "settle": aftdeck.simulation.step}
+"""Functions whose calls the document shows below them."""
 DOCUMENT = Path(__file__).parents[1] / "docs" / "architecture.md"
 
 
@@ -38,16 +40,18 @@ def shown() -> list[str]:
 
 def test_documented_calls_are_made_in_the_documented_order() -> None:
     documented = shown()
-    assert len(documented) > 10 and "go" in documented
-    at = documented.index("go")
-    inner = body(aftdeck.simulation.fly, "go")
-    ends = at + 1 + sum(name in inner for name in documented[at + 1 :])
-    for names, made in (
-        (documented[: at + 1] + documented[ends:], body(aftdeck.simulation.step, "step")),
-        (documented[at + 1 : ends], inner),
-    ):
-        left = iter(made)
-        assert all(name in left for name in names), f"shown: {names}; made: {made}"
+    assert len(documented) > 10 and set(NESTED) <= set(documented)
+    made = {name: body(module, name) for name, module in NESTED.items()} | {
+        "step": body(aftdeck.simulation.step, "step")
+    }
+    found, now = {name: list[str]() for name in made}, "step"
+    for name in documented:
+        now = now if name in made[now] and now in NESTED else "step"
+        found[now].append(name)
+        now = name if name in NESTED else now
+    for name, names in found.items():
+        left = iter(made[name])
+        assert names and all(one in left for one in names), f"{name}: shown: {names}; made: {made[name]}"
 
 
 def test_calls_of_the_step_that_change_the_state_are_documented() -> None:

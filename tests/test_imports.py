@@ -111,6 +111,7 @@ WITHIN: dict[str, tuple[tuple[str, ...], ...]] = {
         ("command_check",),
         ("step",),
         ("run", "warm"),
+        ("batch",),
         ("survey",),
         ("__init__",),
     ),

@@ -11,11 +11,11 @@ from aftdeck.arrays import Array, Flags, Indices
 from aftdeck.errors import InputError
 from aftdeck.simulation.constants.flight import Flight
 from aftdeck.simulation.inputs import Inputs
+from aftdeck.simulation.parts.shown import write_effector
 from aftdeck.simulation.parts.worksite_state import DRIVES, Switch
 from aftdeck.simulation.period.many import Constants, advance_all
 from aftdeck.simulation.period.period import UNCHANGED
 from aftdeck.simulation.row.row import Row, new_arrays
-from aftdeck.simulation.row.shown import write_effector
 from aftdeck.simulation.run import Simulation
 from aftdeck.simulation.state import State
 from aftdeck.simulation.step import make_row_current

@@ -71,7 +71,7 @@ def step(flight: Flight, state: State, inputs: Inputs | None, most: int = 1) -> 
     if most > 1 and not acts_once(state, inputs):
         most = 1
     reached = go(flight, state, log, inputs, observes=True, most=most, goes_on=goes_on)
-    _settle(flight, state, inputs, reached)
+    settle(flight, state, inputs, reached)
     state.row.goes_on = sticks_only and reached == UNCHANGED and is_idle(state)
     return inputs
 
@@ -94,7 +94,7 @@ def take_over(flight: Flight, state: State, inputs: Inputs, made: int, reached: 
     log = state.log(flight.scenario.control_period)
     if reached != UNCHANGED or inputs.effector is not None:
         reached = complete(flight, state, log, inputs, reached, observes=True)
-    _settle(flight, state, inputs, reached)
+    settle(flight, state, inputs, reached)
     state.row.goes_on = reached == UNCHANGED and is_idle(state)
 
 
@@ -109,7 +109,7 @@ def make_row_current(flight: Flight, state: State) -> bool:
     return state.row.goes_on
 
 
-def _settle(flight: Flight, state: State, inputs: Inputs, reached: int) -> None:
+def settle(flight: Flight, state: State, inputs: Inputs, reached: int) -> None:
     """Do in a step what follows the motion; `reached`: how far it has come (`period.period.advance`)."""
     log = state.log(flight.scenario.control_period)
     if inputs.camera is not None:

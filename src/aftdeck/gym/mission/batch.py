@@ -17,7 +17,7 @@ from aftdeck.gym.mission.task import MissionTask
 from aftdeck.gym.terms import Floats32
 from aftdeck.simulation.batch import Batch
 from aftdeck.simulation.inputs import Inputs
-from aftdeck.simulation.row.shown import COARSE, SWITCH, shown_of
+from aftdeck.simulation.parts.shown import COARSE, SWITCH, shown_of
 from aftdeck.simulation.run import Simulation
 from aftdeck.steering.rules import SETTINGS
 from aftdeck.task.reached import Since

@@ -14,7 +14,7 @@ from aftdeck.gym.terms import Floats32, observation_space
 from aftdeck.scenario.model import Scenario
 from aftdeck.scenario.task_step import TaskStep
 from aftdeck.simulation.frame import Frame
-from aftdeck.simulation.row.shown import shown_of, write_effector
+from aftdeck.simulation.parts.shown import shown_of, write_effector
 from aftdeck.simulation.run import Simulation
 
 

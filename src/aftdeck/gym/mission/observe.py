@@ -19,12 +19,7 @@ from aftdeck.kinematics.observe import CARRIED, observe_payload
 from aftdeck.law import large_law, law
 from aftdeck.lent import lend
 from aftdeck.simulation.observe.frame_numbers import six
-from aftdeck.simulation.payloads.met import share_met
-from aftdeck.simulation.period.many import Constants, Rows, row_of
-from aftdeck.simulation.row.aligning import aligning_of
-from aftdeck.simulation.row.now import Arrays, Flat, Motion, Watch, lent, monitor_of, motion_of, watch_of
-from aftdeck.simulation.row.scalars import ARM, NEAREST, PRONG_AT, PRONG_HIGH, PRONG_LOW
-from aftdeck.simulation.row.shown import (
+from aftdeck.simulation.parts.shown import (
     ATTACHED,
     AXES,
     COARSE,
@@ -38,6 +33,11 @@ from aftdeck.simulation.row.shown import (
     SWITCH,
     TAKEN,
 )
+from aftdeck.simulation.payloads.met import share_met
+from aftdeck.simulation.period.many import Constants, Rows, row_of
+from aftdeck.simulation.row.aligning import aligning_of
+from aftdeck.simulation.row.now import Arrays, Flat, Motion, Watch, lent, monitor_of, motion_of, watch_of
+from aftdeck.simulation.row.scalars import ARM, NEAREST, PRONG_AT, PRONG_HIGH, PRONG_LOW
 from aftdeck.simulation.row.world import World, pairs_of, world_of
 from aftdeck.tuples import Rows as Turn
 from aftdeck.tuples import Six, Vec3
@@ -71,7 +71,7 @@ def observe_all(
     Args:
         constants: constants of the run.
         rows: rows of n states.
-        shown: (n, s) values that `row.shown` describes.
+        shown: (n, s) values that `parts.shown` describes.
         aim: result of `aim.aim_of`.
         scale: the arrays of a `Scale`.
         chosen: (n,) whether a state is observed.

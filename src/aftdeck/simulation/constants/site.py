@@ -126,7 +126,8 @@ class Site:
         -1 if the berth does not accept payload k.
         """
         names = [fit.berth.name for fit in self.fits[k]]
-        return sum(map(len, self.fits[:k])) + names.index(name) if name in names else -1
+        before = [fit for own in self.fits[:k] for fit in own]
+        return len(before) + names.index(name) if name in names else -1
 
     def in_space(self, name: str) -> bool:
         """Return whether a berth is fixed in the frame ``space``, which does not move with the orbiter."""

@@ -12,10 +12,10 @@ import numpy as np
 from aftdeck.arrays import Array
 from aftdeck.bodies.pose import POSE, compose, relative
 from aftdeck.law import law
+from aftdeck.simulation.parts.shown import FIXED, RELEASED, TAKEN
 from aftdeck.simulation.payloads.grasp import NEAR
 from aftdeck.simulation.payloads.relations import approached
 from aftdeck.simulation.row.aligning import DOCKING, GUIDES, Aligning
-from aftdeck.simulation.row.shown import FIXED, RELEASED, TAKEN
 from aftdeck.simulation.row.world import MOST, MOST_ANGLE, ONLY_Y, World
 from aftdeck.worksite.berths.berthing import OFFSET, STAY_CONDITIONS, guides_met, offsets, retained_met
 from aftdeck.worksite.berths.docking import CONDITIONS as PORT_CONDITIONS
@@ -44,7 +44,7 @@ def share_met(
         own: the clearance monitor, which places the solids of bars.
         frames: (F, 12) poses of all frames in L.
         held: index of the payload in the grasp; -1 for none.
-        shown: values that `row.shown` describes.
+        shown: values that `parts.shown` describes.
     """
     if held < 0:
         if len(world.bars) > 0:

@@ -46,7 +46,7 @@ from aftdeck.worksite.capture.snare import (
     MOTION,
     RELEASES,
     RING,
-    begin,
+    begin_motion,
     ends_motion,
     next_part,
     refused,
@@ -150,7 +150,7 @@ def press(world: World, now: Motion, switch: float) -> bool:
     v[WORKS] = MOVES
     if trigger == snare[MOTION] and snare[RING] > 0.0:
         return False
-    begin(snare, trigger)
+    begin_motion(snare, trigger)
     return True
 
 

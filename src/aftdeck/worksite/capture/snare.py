@@ -159,7 +159,7 @@ def advance(
         lines.append(rejection(f"{command.trigger.upper()} refused: {why}"))
     elif command.trigger:
         numbers = snare.packed
-        begin(numbers, MOTIONS.index(command.trigger))
+        begin_motion(numbers, MOTIONS.index(command.trigger))
         snare = unpacked(numbers)
     left = dt
     snare = _without_ended_motion(snare, command.mode)
@@ -225,7 +225,7 @@ def refused(snare: Array, mode: int, trigger: int) -> int:
 
 
 @law
-def begin(snare: Array, trigger: int) -> None:
+def begin_motion(snare: Array, trigger: int) -> None:
     """Begin the sequence of an accepted trigger; arguments as for `refused`."""
     snare[MOTION] = trigger
     if snare[RING] == 0.0:

@@ -55,7 +55,8 @@ def shown_of(flight: Flight, state: State) -> Array:
         axes = EFFECTOR
     elif loaded and (mode.axes == "payload axes" or panel.flown == ORB_LD_TURNING):
         axes = PAYLOAD if mode.axes == "payload axes" else MIXED
-    shown = np.zeros(TAKEN + sum(map(len, flight.site.fits)))
+    fits = [(k, fit.berth.name) for k, own in enumerate(flight.site.fits) for fit in own]
+    shown = np.zeros(TAKEN + len(fits))
     shown[:PACKED] = (
         axes,
         loaded and mode.loaded and not flight.scenario.strict,
@@ -71,7 +72,6 @@ def shown_of(flight: Flight, state: State) -> Array:
         shown[PACKED:TAKEN] = own.packed
     seats = [payload.berth for payload in worksite.payloads]
     if any(seats):
-        fits = [(k, fit.berth.name) for k, own in enumerate(flight.site.fits) for fit in own]
         shown[TAKEN:] = [any(seat == name for i, seat in enumerate(seats) if i != k) for k, name in fits]
     return shown
 
