@@ -66,10 +66,10 @@ def _seconds_in_a_batch(name: str, size: Size) -> float:
     rounds = []
     for _ in range(size.rounds):
         actions = [batch.action_space.sample() for _ in range(size.steps // 8 + 1)]
-        begun = time.perf_counter()
+        before = time.perf_counter()
         for action in actions:
             batch.step(action)
-        rounds.append((time.perf_counter() - begun) / (len(actions) * size.batch))
+        rounds.append((time.perf_counter() - before) / (len(actions) * size.batch))
     return min(rounds)
 
 

@@ -30,6 +30,7 @@ KINDS: list[tuple[type[MissionEnv], type[MissionVectorEnv], str]] = [
     (ExtractEnv, ExtractVectorEnv, "concept-1972"),
     (DockEnv, DockVectorEnv, "concept-1972"),
     (DockEnv, DockVectorEnv, "free-flyer"),
+    (DockEnv, DockVectorEnv, "srms-berth"),
 ]
 LEARN = Path(__file__).parents[2] / "examples" / "learn"
 MODES = (AutoresetMode.NEXT_STEP, AutoresetMode.SAME_STEP, AutoresetMode.DISABLED)

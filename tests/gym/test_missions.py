@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
@@ -42,13 +43,25 @@ def careful(env: MissionEnv, seen: Floats32) -> Floats32:
     return action
 
 
-def flown(env: MissionEnv, seed: int, steps: int = 900) -> tuple[list[float], list[Floats32], bool]:
+def berthing(_env: MissionEnv, seen: Floats32) -> Floats32:
+    """Return an action that aligns the payload above its berth in the bay, and then lowers it."""
+    action = np.zeros(7, dtype=np.float32)
+    action[:3], action[3:6], action[6] = np.clip(12.0 * seen[:3], -1.0, 1.0), np.clip(40.0 * seen[3:6], -1.0, 1.0), 1.0
+    aligned = float(np.hypot(seen[0], seen[1])) <= 0.01 and float(np.abs(seen[3:6]).max()) <= 0.004
+    if not aligned and seen[2] > 0.52:
+        action[2] = 0.0
+    return action
+
+
+def flown(
+    env: MissionEnv, seed: int, steps: int = 900, policy: Callable[[MissionEnv, Floats32], Floats32] = careful
+) -> tuple[list[float], list[Floats32], bool]:
     """Return rewards, observations and success of an episode."""
     seen, _ = env.reset(seed=seed)
     rewards: list[float] = []
     observations, over, success = [seen], False, False
     while not over and len(rewards) < steps:
-        seen, reward, over, _, info = env.step(careful(env, seen))
+        seen, reward, over, _, info = env.step(policy(env, seen))
         rewards.append(reward)
         observations.append(seen)
         success = info["is_success"]
@@ -99,6 +112,11 @@ def test_a_step_is_the_same_if_each_of_its_control_steps_is_observed(kind: type[
 def test_careful_policy_acquires_with_the_concept_arm_and_docks_with_masses() -> None:
     assert flown(CaptureEnv("concept-1972"), 1)[2]
     assert flown(DockEnv(plant="rigid"), 1)[2]
+
+
+def test_payload_is_berthed_in_the_bay() -> None:
+    env = DockEnv("srms-berth")
+    assert all(flown(env, seed, policy=berthing)[2] for seed in range(number(2, 20)))
 
 
 def test_rewards_of_an_episode_add_up_to_the_motion_made_and_the_time() -> None:

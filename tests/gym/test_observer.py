@@ -28,6 +28,7 @@ FLOWN = [
     *((kind, name, "kinematic") for kind in (ExtractEnv, DockEnv) for name in ("concept-1972", "free-flyer")),
     (CaptureEnv, "tutorial", "flexible"),
     (DockEnv, "concept-1972", "rigid"),
+    (DockEnv, "srms-berth", "kinematic"),
 ]
 
 

@@ -60,7 +60,7 @@ class Batch:
         self.rows = new_arrays(state.row.tables, count)
         self.rates, self._behind, self._made, self._reached = (np.zeros(count, np.int64) for _ in range(4))
         self._own: list[Row | None] = [None] * count
-        self._going, self._sticks = np.zeros(count, np.uint8), np.zeros((count, STICKS))
+        self._going, self._sticks = np.zeros(count, np.bool_), np.zeros((count, STICKS))
         self.switches, self._pressed, self._orders = np.zeros(count), np.zeros(count), np.zeros((count, 2))
         self._rules = np.zeros((count, len(SETTINGS), len(state.rules)))
         self._links = np.zeros((count, len(state.arm.model.links)))
@@ -126,10 +126,10 @@ class Batch:
         left, changed = np.where(skipped, 0, steps), set[int]()
         moves = ~skipped
         self._sticks[moves], self._pressed[moves] = sticks[moves], switches[moves]
-        going = (self._going != 0) & moves
+        going = self._going & moves
         np.copyto(self.rates, rates, where=going)
         np.copyto(self.switches, switches, where=going & (switches != 0.0))
-        while (moving := (self._going != 0) & (left > 0)).any():
+        while (moving := self._going & (left > 0)).any():
             advance_all(
                 self.constants, self.rows, self._rules, self.rates, self._links, self._orders, self._sticks,
                 self._pressed, moving, left, self._made, self._reached,

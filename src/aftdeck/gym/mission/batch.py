@@ -8,7 +8,7 @@ from gymnasium.utils.seeding import np_random
 from aftdeck.arrays import Array, Flags
 from aftdeck.gym.actions import outside, shaped
 from aftdeck.gym.aligned import AlignedFloats
-from aftdeck.gym.batch_step import NEXT_STEP, SAME_STEP, Step
+from aftdeck.gym.batch_step import DISABLED, NEXT_STEP, SAME_STEP, Step
 from aftdeck.gym.mission.actions import inputs_of
 from aftdeck.gym.mission.definition import EFFECTOR, SWITCHED
 from aftdeck.gym.mission.observe import observe_all
@@ -89,7 +89,7 @@ class MissionBatch:
         done &= self._may
         for i in np.flatnonzero(done).tolist():
             since = self._sinces[i]
-            assert since is not None, "an episode has begun"
+            assert since is not None, "an episode is under way"
             done[i] = task.is_complete(self.simulation(i), since, self._scored[i])
             rewards[i] = reward(self._before[i], self._scored[i], float(done[i]))
         self._steps += observed
@@ -103,9 +103,8 @@ class MissionBatch:
         truncated = (self._steps >= self._most) & ~skipped
         self._ended = terminated | truncated
         final = self._new(self._seen) if autoreset == SAME_STEP else np.zeros((0, self._seen.shape[1]), np.float32)
-        begins = {NEXT_STEP: skipped, SAME_STEP: self._ended.copy()}.get(autoreset)
-        if begins is not None:
-            for i in np.flatnonzero(begins).tolist():
+        if autoreset != DISABLED:
+            for i in np.flatnonzero(skipped if autoreset == NEXT_STEP else self._ended).tolist():
                 self._begin(i)
         ended = int(np.count_nonzero(terminated | truncated))
         return Step(self._new(self._seen), rewards, terminated, truncated, done, final, ended)

@@ -78,8 +78,7 @@ def observe_all(
         observations: (n, m) output.
         scored: (n, 6) output, rows as `score` describes them.
     """
-    zero, one, low, high = scale
-    lent_scale = Scale(lend(zero), lend(one), lend(low), lend(high))
+    lent_scale = _lent_scale(scale)
     for i in range(len(chosen)):
         if chosen[i]:
             _observe(
@@ -97,9 +96,14 @@ def observe_one(
     scored: Array,
 ) -> None:
     """Write the observation of one state, and what its reward needs; arguments as for `observe_all`."""
+    _observe(lent(arrays), lend(shown), lend(aim), _lent_scale(scale), observation, lend(scored))
+
+
+@law
+def _lent_scale(scale: tuple[Array, Array, Array, Array]) -> Scale:
+    """Return a scale for as long as a call takes."""
     zero, one, low, high = scale
-    lent_scale = Scale(lend(zero), lend(one), lend(low), lend(high))
-    _observe(lent(arrays), lend(shown), lend(aim), lent_scale, observation, lend(scored))
+    return Scale(lend(zero), lend(one), lend(low), lend(high))
 
 
 @large_law

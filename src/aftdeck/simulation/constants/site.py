@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from functools import lru_cache
+from functools import cached_property, lru_cache
 
 import numpy as np
 
@@ -125,9 +125,12 @@ class Site:
 
         -1 if the berth does not accept payload k.
         """
-        names = [fit.berth.name for fit in self.fits[k]]
-        before = [fit for own in self.fits[:k] for fit in own]
-        return len(before) + names.index(name) if name in names else -1
+        return self.numbered.index((k, name)) if (k, name) in self.numbered else -1
+
+    @cached_property
+    def numbered(self) -> tuple[tuple[int, str], ...]:
+        """Payload and name of each berth that accepts it, in the order of `World.berths`."""
+        return tuple((k, fit.berth.name) for k, own in enumerate(self.fits) for fit in own)
 
     def in_space(self, name: str) -> bool:
         """Return whether a berth is fixed in the frame ``space``, which does not move with the orbiter."""

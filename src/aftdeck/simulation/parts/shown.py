@@ -55,7 +55,7 @@ def shown_of(flight: Flight, state: State) -> Array:
         axes = EFFECTOR
     elif loaded and (mode.axes == "payload axes" or panel.flown == ORB_LD_TURNING):
         axes = PAYLOAD if mode.axes == "payload axes" else MIXED
-    fits = [(k, fit.berth.name) for k, own in enumerate(flight.site.fits) for fit in own]
+    fits = flight.site.numbered
     shown = np.zeros(TAKEN + len(fits))
     shown[:PACKED] = (
         axes,

@@ -23,6 +23,7 @@ from aftdeck.law import law
 from aftdeck.lent import lend
 from aftdeck.simulation.constants.flight import Flight
 from aftdeck.simulation.payloads.aligned import aligned_payload, is_aligned
+from aftdeck.simulation.payloads.relations import berth_near
 from aftdeck.simulation.row.aligning import Aligning, aligning_of
 from aftdeck.simulation.row.constants import learn_way
 from aftdeck.simulation.row.now import Arrays, lent
@@ -42,7 +43,6 @@ from aftdeck.worksite.watch.measured import (
     measured_of,
     place_bars,
 )
-from aftdeck.worksite.watch.places import nearest_place
 
 ASIDE = 0.3
 """Greatest distance of a payload from the line on which it enters a berth, up to which it is about to enter [m]
@@ -240,11 +240,9 @@ def _except_berth(
     Returns:
         -1, or the number of the berth whose clearances on the way are needed and not known.
     """
-    row, begin, end = world.rows[k], world.berth_begins[k], world.berth_begins[k + 1]
-    number = nearest_place(frames, row, world.berths[begin:end], world.places[begin:end], NEAR)
-    if number < 0:
+    row, berth = world.rows[k], berth_near(world, frames, k)
+    if berth < 0:
         return -1
-    berth = begin + number
     among = aligning.seated[berth]
     factor = INNER if nearest >= 0 and among[nearest] != 0 else 1.0
     way = on_way(frames[world.berths[berth]], world.places[berth], frames[row], aligning.outs[berth])
@@ -252,7 +250,7 @@ def _except_berth(
         return -1
     least = aligning.on_way[PLACES * berth + min(max(0, int(way.along / STEP)), PLACES - 1)]
     if len(least) > 0 and least[0] != least[0]:  # NaN: not known
-        return int(berth)
+        return berth
     measures = np.empty(PAIR)
     for g in range(len(among)):
         if among[g] == 0 or world.detrimental[g] == 0 or active[g] == 0:

@@ -1,4 +1,4 @@
-"""Share of the conditions that hold, of the present objective (`objective`), for an observer of the row.
+"""Conditions that hold, of the present objective (`objective`) and of a berth, from the row of a state.
 
 The conditions and their ranges are those of the end effectors and berths (`worksite.capture`, `worksite.berths`).
 """
@@ -14,21 +14,17 @@ from aftdeck.bodies.pose import POSE, compose, relative
 from aftdeck.law import law
 from aftdeck.simulation.parts.shown import FIXED, RELEASED, TAKEN
 from aftdeck.simulation.payloads.grasp import NEAR
-from aftdeck.simulation.payloads.relations import approached
+from aftdeck.simulation.payloads.relations import approached, berth_near
 from aftdeck.simulation.row.aligning import DOCKING, GUIDES, Aligning
 from aftdeck.simulation.row.world import MOST, MOST_ANGLE, ONLY_Y, World
-from aftdeck.worksite.berths.berthing import OFFSET, STAY_CONDITIONS, guides_met, offsets, retained_met
-from aftdeck.worksite.berths.docking import CONDITIONS as PORT_CONDITIONS
-from aftdeck.worksite.berths.docking import FOUND, docking_met
-from aftdeck.worksite.berths.on_way import NEAR as BERTH_NEAR
-from aftdeck.worksite.capture.acquisition import AWAY, MEASURED, acquire, acquisition_met
-from aftdeck.worksite.capture.acquisition import CONDITIONS as BAR_CONDITIONS
-from aftdeck.worksite.capture.grapple import CONDITIONS as PIN_CONDITIONS
-from aftdeck.worksite.capture.grapple import envelope_met
+from aftdeck.worksite.berths.berthing import OFFSET, guides_met, offsets, retained_values
+from aftdeck.worksite.berths.docking import FOUND, docking_values
+from aftdeck.worksite.capture.acquisition import AWAY, MEASURED, acquire, acquisition_values
+from aftdeck.worksite.capture.grapple import envelope_values
 from aftdeck.worksite.capture.snares import fixture_in_effector
 from aftdeck.worksite.watch.groups import PackedLayout
 from aftdeck.worksite.watch.measured import Measured, place_bars
-from aftdeck.worksite.watch.places import nearest_place
+from aftdeck.worksite.within import number_that_hold
 
 
 @law
@@ -47,18 +43,19 @@ def share_met(
         shown: values that `parts.shown` describes.
     """
     if held < 0:
-        if len(world.bars) > 0:
-            return _bar_met(world, pairs, own)
-        return _pin_met(world, aligning, frames)
-    if shown[FIXED] != 0.0:
+        return _bar_met(world, pairs, own) if len(world.bars) > 0 else pin_met(world, aligning, frames, NEAR)
+    berth = berth_near(world, frames, held)
+    if shown[FIXED] != 0.0 or berth < 0 or shown[RELEASED] == berth:
         return 0.0
-    begin, end = world.berth_begins[held], world.berth_begins[held + 1]
-    nearest = nearest_place(frames, world.rows[held], world.berths[begin:end], world.places[begin:end], BERTH_NEAR)
-    berth = begin + nearest
-    if nearest < 0 or shown[RELEASED] == berth:
-        return 0.0
-    met, number = berth_met(world, aligning, frames, held, berth)
-    return float(met / (number + shown[TAKEN + berth]))
+    number, of = berth_met(world, aligning, frames, held, berth)
+    return float(number / (of + shown[TAKEN + berth]))
+
+
+@law
+def berth_holds(world: World, aligning: Aligning, frames: Array, held: int, berth: int) -> bool:
+    """Return whether all conditions of a berth hold for the held payload, if no other payload is in it."""
+    number, of = berth_met(world, aligning, frames, held, berth)
+    return number == of
 
 
 @law
@@ -68,39 +65,42 @@ def berth_met(world: World, aligning: Aligning, frames: Array, held: int, berth:
     if aligning.fits[berth] == DOCKING:
         found = np.empty(FOUND)
         approached(world, frames, held, berth, found)
-        return docking_met(found, port[MOST], port[MOST_ANGLE], port[ONLY_Y] != 0.0), PORT_CONDITIONS
+        docking = docking_values(found, port[MOST], port[MOST_ANGLE], port[ONLY_Y] != 0.0)
+        return number_that_hold(docking), len(docking)
     place, left = np.empty(POSE), np.empty(POSE)
     compose(frames[world.berths[berth]], world.places[berth], place)
     relative(place, payload, left)
     if aligning.fits[berth] != GUIDES:
-        return retained_met(left, port[MOST], port[MOST_ANGLE]), STAY_CONDITIONS
+        retained = retained_values(left, port[MOST], port[MOST_ANGLE])
+        return number_that_hold(retained), len(retained)
     t, u = aligning.guides[berth], aligning.guides[berth + 1]
     off, axes = np.empty((u - t, OFFSET)), aligning.axes[9 * t : 9 * u].reshape(u - t, 3, 3)
     offsets(frames[world.berths[berth]], payload, aligning.trunnions[t:u], aligning.seats[t:u], axes, off)
-    met = guides_met(
+    number = guides_met(
         off, aligning.opening[t:u], aligning.throat[t:u], aligning.height[t:u], aligning.play[t:u], left, port[MOST],
         port[MOST_ANGLE],
     )  # fmt: skip
-    return met, 2 * (u - t) + 1
+    return number, 2 * (u - t) + 1
 
 
 @law
 def _bar_met(world: World, pairs: PackedLayout, own: Measured) -> float:
-    """Return the share of the conditions that hold at the bar nearest to the palm."""
+    """Return the share of the conditions that hold at the bar nearest to the palm; 0 if none is within `NEAR`."""
     place_bars(pairs, own, world.bars)
-    found, within, met = np.empty(MEASURED), NEAR, 0
+    found, within, share = np.empty(MEASURED), NEAR, 0.0
     for k in range(len(world.bars)):
         if world.bars[k, 0] >= 0:
             acquire(own.placed, world.bars[k], world.tolerances, found)
             if found[AWAY] < within:
-                within, met = found[AWAY], acquisition_met(found, world.tolerances)
-    return met / BAR_CONDITIONS
+                values = acquisition_values(found, world.tolerances)
+                within, share = found[AWAY], number_that_hold(values) / len(values)
+    return share
 
 
 @law
-def _pin_met(world: World, aligning: Aligning, frames: Array) -> float:
-    """Return the share of the conditions that hold at the pin nearest to the end effector."""
-    within, met = NEAR, 0
+def pin_met(world: World, aligning: Aligning, frames: Array, within: float) -> float:
+    """Return the share of the conditions that hold at the pin nearest to the end effector; 0 if none is within [m]."""
+    share = 0.0
     for k in range(len(world.fixtures)):
         if world.fixtures[k, 0] != world.fixtures[k, 0]:  # NaN: no fixture
             continue
@@ -109,5 +109,6 @@ def _pin_met(world: World, aligning: Aligning, frames: Array) -> float:
         )
         away = sqrt(out * out + y * y + z * z)
         if away < within:
-            within, met = away, envelope_met(aligning.envelope, out, y, z, turned)
-    return met / PIN_CONDITIONS
+            values = envelope_values(aligning.envelope, out, y, z, turned)
+            within, share = away, number_that_hold(values) / len(values)
+    return share

@@ -23,6 +23,7 @@ from aftdeck.simulation.state import State
 from aftdeck.worksite.berths.bay import guided
 from aftdeck.worksite.berths.berthing import OFFSET, offsets
 from aftdeck.worksite.berths.docking import BEFORE, DISTANCE, FOUND, INSIDE, approach
+from aftdeck.worksite.berths.on_way import NEAR
 from aftdeck.worksite.capture.acquisition import FIXED, MEASURED, PALM, PRONG, acquire
 from aftdeck.worksite.capture.grapple import NEAREST, around_axis
 from aftdeck.worksite.capture.snares import fixture_in_effector
@@ -30,6 +31,7 @@ from aftdeck.worksite.watch.clearance_monitor import ClearanceMonitor
 from aftdeck.worksite.watch.found import CLEARANCE
 from aftdeck.worksite.watch.groups import PackedLayout
 from aftdeck.worksite.watch.measured import Measured, MeasuredArrays, measured_of, place_solids
+from aftdeck.worksite.watch.places import nearest_place
 
 
 def permitted(flight: Flight, state: State, watch: ClearanceMonitor, frames: Array) -> Mask:
@@ -118,6 +120,17 @@ def _in_port(world: World, frames: Array, k: int, berth: int, depth: float) -> b
     approached(world, frames, k, berth, found)
     inside = found[BEFORE] >= -depth and found[INSIDE] >= -depth
     return bool(inside and found[DISTANCE] <= world.ports[berth, MOST])
+
+
+@law
+def berth_near(world: World, frames: Array, k: int) -> int:
+    """Return the number of the berth whose final position for payload k is nearest to it; -1 if none is within `NEAR`.
+
+    The berths are numbered as in `World.berths`.
+    """
+    begin, end = world.berth_begins[k], world.berth_begins[k + 1]
+    nearest = nearest_place(frames, world.rows[k], world.berths[begin:end], world.places[begin:end], NEAR)
+    return int(begin + nearest) if nearest >= 0 else -1
 
 
 @law

@@ -2,16 +2,14 @@
 
 from __future__ import annotations
 
-from math import sqrt
-
 import numpy as np
 
 from aftdeck.arrays import Array
 from aftdeck.bodies.pose import turned
 from aftdeck.bodies.vector import plus, vector_at
 from aftdeck.law import large_law, law
-from aftdeck.simulation.payloads.met import berth_met
-from aftdeck.simulation.payloads.relations import approached
+from aftdeck.simulation.payloads.met import berth_holds, pin_met
+from aftdeck.simulation.payloads.relations import berth_near
 from aftdeck.simulation.payloads.task_phases import ACQUISITION, DOCKED, EXTRACTION, MANOEUVRING
 from aftdeck.simulation.row.aligning import Aligning, aligning_of
 from aftdeck.simulation.row.now import Flat, Motion, monitor_of, motion_of, watch_of
@@ -32,12 +30,9 @@ from aftdeck.simulation.row.scalars import (
     TASK,
     WORKS,
 )
-from aftdeck.simulation.row.world import MOST, MOST_ANGLE, ONLY_Y, World, pairs_of, world_of
-from aftdeck.worksite.berths.docking import CONDITIONS, FOUND, docking_met
-from aftdeck.worksite.berths.on_way import NEAR
+from aftdeck.simulation.row.world import World, pairs_of, world_of
 from aftdeck.worksite.capture.acquisition import acquired_bar
 from aftdeck.worksite.capture.effector import BEGINS, MOVES, RESTS
-from aftdeck.worksite.capture.grapple import inside_envelope
 from aftdeck.worksite.capture.snare import (
     ACCEPTED,
     CAPTURED,
@@ -52,11 +47,9 @@ from aftdeck.worksite.capture.snare import (
     refused,
     travel,
 )
-from aftdeck.worksite.capture.snares import fixture_in_effector
 from aftdeck.worksite.watch.bay import any_inside, may_be_inside
 from aftdeck.worksite.watch.groups import CENTRE, RADIUS, PackedLayout
 from aftdeck.worksite.watch.measured import Measured, place_bars, place_solid
-from aftdeck.worksite.watch.places import nearest_place
 
 
 @large_law
@@ -73,11 +66,13 @@ def attached(flat: Flat) -> bool:
             place_bars(pairs, own, world.bars)
             captures = captures or acquired_bar(own.placed, world.bars, world.tolerances) >= 0
     berths, inside = v[RELEASED] != 0.0 and not _stays(world, aligning_of(flat), now, held), False
-    if held >= 0 and v[FIXED] == 0.0:
-        begin, end = world.berth_begins[held], world.berth_begins[held + 1]
-        number = nearest_place(now.frames, world.rows[held], world.berths[begin:end], world.places[begin:end], NEAR)
-        if number >= 0 and world.by_itself[begin + number] != 0:
-            berths = berths or _docks(world, now, held, begin + number)
+    if held >= 0 and v[FIXED] == 0.0 and not berths:
+        berth = berth_near(world, now.frames, held)
+        berths = (
+            berth >= 0
+            and world.by_itself[berth] != 0
+            and berth_holds(world, aligning_of(flat), now.frames, held, berth)
+        )
     if held < 0:
         v[TASK] = ACQUISITION
     elif v[AT_PORT] != 0.0:
@@ -117,7 +112,7 @@ def _snares_move(world: World, aligning: Aligning, now: Motion, held: int) -> bo
         return False
     closes = part == RING and now.snare[MOTION] == CAPTURES and held < 0
     moved = now.snare.copy()
-    inside = closes and _pin_inside(world, aligning, now)
+    inside = closes and pin_met(world, aligning, now.frames, np.inf) == 1.0
     if travel(moved, world.snare_times, mode, contr, world.constants[PERIOD], inside) >= 0.0:
         return False
     if held >= 0 and moved[DRAWN] != now.snare[DRAWN]:
@@ -155,36 +150,9 @@ def press(world: World, now: Motion, switch: float) -> bool:
 
 
 @law
-def _pin_inside(world: World, aligning: Aligning, now: Motion) -> bool:
-    """Return whether the nearest fixture is within the capture envelope."""
-    inside, nearest = False, np.inf
-    for k in range(len(world.fixtures)):
-        if world.fixtures[k, 0] != world.fixtures[k, 0]:  # NaN: no fixture
-            continue
-        (out, y, z), attitude = fixture_in_effector(
-            now.frames, world.hand[0], world.effector, world.rows[k], world.fixtures[k]
-        )
-        away = sqrt(out * out + y * y + z * z)
-        if away < nearest:
-            nearest, inside = away, inside_envelope(aligning.envelope, out, y, z, attitude)
-    return inside
-
-
-@law
 def _stays(world: World, aligning: Aligning, now: Motion, held: int) -> bool:
     """Return whether the held payload is still where a berth has just released it, so that nothing changes."""
     berth = int(now.scalars[RELEASED]) - 1
-    begin, end = world.berth_begins[held], world.berth_begins[held + 1]
-    nearest = nearest_place(now.frames, world.rows[held], world.berths[begin:end], world.places[begin:end], NEAR)
-    if berth < 0 or begin + nearest != berth:
+    if berth < 0 or berth_near(world, now.frames, held) != berth:
         return False
-    met, number = berth_met(world, aligning, now.frames, held, berth)
-    return met == number
-
-
-@law
-def _docks(world: World, now: Motion, held: int, berth: int) -> bool:
-    """Return whether the conditions of docking hold for the held payload at a port."""
-    port, found = world.ports[berth], np.empty(FOUND)
-    approached(world, now.frames, held, berth, found)
-    return docking_met(found, port[MOST], port[MOST_ANGLE], port[ONLY_Y] != 0.0) == CONDITIONS
+    return berth_holds(world, aligning, now.frames, held, berth)

@@ -183,7 +183,8 @@ def give(flight: Flight, state: State, inputs: Inputs) -> None:
         payload = worksite.payloads[held]
         docked = bool(payload.berth) and site.berth(payload.berth).docks
         if payload.released_from:
-            released = 1 + site.number(held, payload.released_from) or -1
+            number = site.number(held, payload.released_from)
+            released = number + 1 if number >= 0 else -1
     works, pressed = RESTS, inputs.effector is not None
     if (pressed or worksite.snare.motion or worksite.rigid != "off") and not (
         site.capture is None or state.script.attached

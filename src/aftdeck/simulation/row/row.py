@@ -87,7 +87,8 @@ class Row:
         self.scalars, self.flights = self._parts["scalars"], self._parts["flights"]
         self.snare = self._parts["snare"]
         self.limits = Limits(*(self._parts[name] for name in Limits._fields))
-        self.limits.advice[:] = -1
+        if packed is None:
+            self.limits.advice[:] = -1
         self.floats = self.limited = self.goes_on = False
         self.values = self.scalars.tolist()
         self._given, self._ordered = self.scalars.data.cast("B"), self._parts["command"].data.cast("B")
@@ -136,7 +137,6 @@ class Row:
         numbers, indices, marks = packed
         numbers[:], indices[:], marks[:] = self.packed
         row = Row(self.tables, packed)
-        row.limits.advice[:] = self.limits.advice
         row.take(state)
         row.floats, row.limited, row.goes_on = self.floats, self.limited, self.goes_on
         return row

@@ -19,15 +19,15 @@ import msgspec
 import numpy as np
 
 from aftdeck.arrays import Array
-from aftdeck.bodies.pose import POSE, relative, rows, vec3
+from aftdeck.bodies.pose import POSE, relative, rows
 from aftdeck.elementary import sincos
 from aftdeck.errors import InputError
 from aftdeck.frames import angle_between
 from aftdeck.law import law
-from aftdeck.matrices import length, product
+from aftdeck.matrices import product
 from aftdeck.tuples import UNTURNED, Vec3
 from aftdeck.worksite.conditions import Condition, within
-from aftdeck.worksite.within import holds
+from aftdeck.worksite.within import Within, holds
 
 SWITCHES = ("A", "B")
 """Names of the two ready-for-latch switches of each latch."""
@@ -357,25 +357,19 @@ def retained(left: Array, tolerances: BerthTolerances) -> tuple[Condition, ...]:
         left: (12,) the offset of the payload's centre and its rotation, as a pose relative to its seated pose.
         tolerances: tolerances of the berth.
     """
-    return (
-        within("payload stowed", length(vec3(left, 0)), -inf, tolerances.distance, "m", _PLACE_SAYS),
-        _turn(left, tolerances),
-    )
-
-
-STAY_CONDITIONS = 2
-"""Number of conditions of `retained`."""
+    place, turn = retained_values(left, tolerances.distance, tolerances.angle)
+    return within("payload stowed", *place, "m", _PLACE_SAYS), within(_ATTITUDE, *turn, "rad", _TURN_SAYS)
 
 
 @law
-def retained_met(left: Array, distance: float, angle: float) -> int:
-    """Return how many of the conditions of `retained` hold; `distance` and `angle` as in `BerthTolerances`."""
+def retained_values(left: Array, distance: float, angle: float) -> tuple[Within, Within]:
+    """Return the values of the conditions of `retained` with their ranges; the limits as in `BerthTolerances`."""
     away = sqrt(left[0] * left[0] + left[1] * left[1] + left[2] * left[2])
-    return int(holds(away, -inf, distance)) + int(holds(turn_left(left), -inf, angle))
+    return (away, -inf, distance), (turn_left(left), -inf, angle)
 
 
 def _turn(left: Array, tolerances: BerthTolerances) -> Condition:
-    return within("payload's attitude", turn_left(left), -inf, tolerances.angle, "rad", _TURN_SAYS)
+    return within(_ATTITUDE, turn_left(left), -inf, tolerances.angle, "rad", _TURN_SAYS)
 
 
 @law
@@ -384,5 +378,7 @@ def turn_left(left: Array) -> float:
     return angle_between(rows(left, 3), UNTURNED)
 
 
+_ATTITUDE = "payload's attitude"
+"""Name of the condition for the rotation that is left."""
 _PLACE_SAYS = ("payload {} from its stowed place", "")
 _TURN_SAYS = ("payload turned {} from its stowed attitude", "")

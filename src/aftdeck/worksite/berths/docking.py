@@ -25,7 +25,7 @@ from aftdeck.errors import InputError
 from aftdeck.law import law
 from aftdeck.matrices import dots, product
 from aftdeck.worksite.conditions import Condition, within
-from aftdeck.worksite.within import Within, holds
+from aftdeck.worksite.within import Within
 
 BEFORE = 0
 """Least height of the probe's vertices above face c [m]."""
@@ -37,8 +37,6 @@ TURNED = 3
 """First of three angles between payload and port [rad]: between their x axes, their y axes and their z axes."""
 FOUND = 6
 """Length of the array of results."""
-CONDITIONS = 4
-"""Number of conditions of docking."""
 
 FEWEST_SIDES = 4
 
@@ -154,7 +152,7 @@ def _below(plane: Array, p: Vector) -> float:
 
 
 @law
-def wanted(found: Array, distance: float, angle: float, only_y: bool) -> tuple[Within, Within, Within, Within]:
+def docking_values(found: Array, distance: float, angle: float, only_y: bool) -> tuple[Within, Within, Within, Within]:
     """Return the values of the conditions with their ranges: heights [m], distance [m], and greatest angle [rad].
 
     Args:
@@ -168,21 +166,12 @@ def wanted(found: Array, distance: float, angle: float, only_y: bool) -> tuple[W
     return (found[BEFORE], 0.0, inf), (found[INSIDE], 0.0, inf), (found[DISTANCE], -inf, distance), (turn, -inf, angle)
 
 
-@law
-def docking_met(found: Array, distance: float, angle: float, only_y: bool) -> int:
-    """Return how many of the conditions of docking hold; the arguments are those of `wanted`."""
-    number = 0
-    for value, least, greatest in wanted(found, distance, angle, only_y):
-        number += holds(value, least, greatest)
-    return number
-
-
 def docking(found: Array, tolerances: DockingTolerances) -> tuple[Condition, ...]:
     """Return the conditions of docking from the output (6,) of `approach`."""
     only_y = tolerances.axes == "y"
     letter = "y" if only_y else max(zip(found[TURNED:].tolist(), "xyz", strict=True))[1]
     says = f"payload's {letter} axis turned {{}} from the port's"
-    before, inside, at, turned = wanted(found, tolerances.distance, tolerances.angle, only_y)
+    before, inside, at, turned = docking_values(found, tolerances.distance, tolerances.angle, only_y)
     return (
         within("probe before port", *before, "m", _BEFORE_SAYS),
         within("probe in envelope", *inside, "m", _INSIDE_SAYS),

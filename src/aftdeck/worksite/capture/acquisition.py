@@ -26,7 +26,7 @@ from aftdeck.bodies.vector import Vector, cross, dot, minus, times
 from aftdeck.elementary import atan2
 from aftdeck.law import law
 from aftdeck.worksite.conditions import Condition, within
-from aftdeck.worksite.within import Within, holds
+from aftdeck.worksite.within import Within, number_that_hold
 
 PALM, FIXED, PRONG = 0, 1, 2
 """Least height of the bar's vertices above face d of the palm, face b of the fixed finger and face e of the prong
@@ -53,8 +53,6 @@ A negative angle means that at least one of the first three conditions fails. It
 """
 FOUND = 12
 """Length of the array of all values."""
-CONDITIONS = 6
-"""Number of conditions."""
 
 SPACING_MOST, WINDOW, FRONT, REAR, FINGERS_WITHIN = 0, 1, 2, 3, 4
 """Indices of the fields of `Tolerances` in its packed form; the fields are in [m]."""
@@ -173,11 +171,12 @@ def acquire(bodies: Array, which: Indices, rules: Array, found: Array) -> bool:
     found[ALONG] = dot(axis, centre) - 0.5 * (dot(axis, front) + dot(axis, rear))
     found[AWAY] = sqrt(dot(from_top, from_top))
     found[SIDE] = dot(z2, axis)
-    return acquisition_met(found, rules) == CONDITIONS
+    values = acquisition_values(found, rules)
+    return number_that_hold(values) == len(values)
 
 
 @law
-def wanted(found: Array, rules: Array) -> tuple[Within, Within, Within, Within, Within, Within]:
+def acquisition_values(found: Array, rules: Array) -> tuple[Within, Within, Within, Within, Within, Within]:
     """Return the values of the six conditions with their ranges [m], from the values `found` of `acquire`.
 
     If the palm is too far from the bar to test the fingers, the second and the third are that distance.
@@ -192,15 +191,6 @@ def wanted(found: Array, rules: Array) -> tuple[Within, Within, Within, Within, 
         (found[HEIGHT], 0.0, rules[WINDOW]),
         (found[ALONG], rules[FRONT] - half, half - rules[REAR]),
     )
-
-
-@law
-def acquisition_met(found: Array, rules: Array) -> int:
-    """Return how many of the six conditions hold; the arguments are those of `wanted`."""
-    number = 0
-    for value, least_, greatest in wanted(found, rules):
-        number += holds(value, least_, greatest)
-    return number
 
 
 @law
@@ -263,7 +253,8 @@ def acquisition(found: Array, rules: Array) -> tuple[Condition, ...]:
     fixed, prong = (_FIXED_FAR, _PRONG_FAR) if far else (_FIXED_SAYS, _PRONG_SAYS)
     says = (_PALM_SAYS, fixed, prong, _SPACING_SAYS, _HEIGHT_SAYS, _ALONG_SAYS)
     return tuple(
-        within(name, *given, "m", text) for name, given, text in zip(_NAMES, wanted(found, rules), says, strict=True)
+        within(name, *given, "m", text)
+        for name, given, text in zip(_NAMES, acquisition_values(found, rules), says, strict=True)
     )
 
 

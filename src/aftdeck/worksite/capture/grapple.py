@@ -13,7 +13,7 @@ from aftdeck.frames import oriend_elements
 from aftdeck.law import law
 from aftdeck.tuples import Rows, Vec3
 from aftdeck.worksite.conditions import Condition, within
-from aftdeck.worksite.within import Within, holds
+from aftdeck.worksite.within import Within
 
 
 class CaptureEnvelope(msgspec.Struct, frozen=True, dict=True):
@@ -42,8 +42,6 @@ class CaptureEnvelope(msgspec.Struct, frozen=True, dict=True):
 
 RADIAL, NEAREST, FARTHEST, PITCH, YAW, ROLL = range(6)
 """Indices in `CaptureEnvelope.packed`."""
-CONDITIONS = 5
-"""Number of conditions of capture."""
 
 
 @law
@@ -67,13 +65,7 @@ def around_axis(envelope: Array, y: float, z: float, turned: Rows, wide: float) 
 
 
 @law
-def inside_envelope(envelope: Array, out: float, y: float, z: float, turned: Rows) -> bool:
-    """Return whether all conditions of `in_envelope` hold; the arguments are those of `wanted`."""
-    return envelope_met(envelope, out, y, z, turned) == CONDITIONS
-
-
-@law
-def wanted(
+def envelope_values(
     envelope: Array, out: float, y: float, z: float, turned: Rows
 ) -> tuple[Within, Within, Within, Within, Within]:
     """Return the values of the conditions with their ranges: distance from the axis, depth [m], pitch, yaw, roll [rad].
@@ -91,15 +83,6 @@ def wanted(
     )
 
 
-@law
-def envelope_met(envelope: Array, out: float, y: float, z: float, turned: Rows) -> int:
-    """Return how many of the conditions of `in_envelope` hold; the arguments are those of `wanted`."""
-    number = 0
-    for value, least, greatest in wanted(envelope, out, y, z, turned):
-        number += holds(value, least, greatest)
-    return number
-
-
 def in_envelope(fixture: tuple[Vec3, Rows], envelope: Array) -> tuple[Condition, ...]:
     """Return the conditions of capture.
 
@@ -109,7 +92,7 @@ def in_envelope(fixture: tuple[Vec3, Rows], envelope: Array) -> tuple[Condition,
         envelope: (6,) `CaptureEnvelope.packed`.
     """
     (out, y, z), rows = fixture
-    radial, depth, *angles = wanted(envelope, out, y, z, rows)
+    radial, depth, *angles = envelope_values(envelope, out, y, z, rows)
     return (
         within("pin off axis", *radial, "m", _RADIAL_SAYS),
         within("pin depth", *depth, "m", _DEPTH_SAYS),
